@@ -1,0 +1,62 @@
+"""Checks at the boundary: what a caller passes becomes clean arrays, or one clear error."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solver.errors import ConstraintError, MeshError, SolverError
+from solver.types import FloatArray, IntArray
+
+
+def as_vertices(V: ArrayLike) -> FloatArray:
+    """Positions as (n, 3) finite float64; MeshError otherwise."""
+    V = as_floats(V, "vertices", MeshError)
+    if V.ndim != 2 or V.shape[1] != 3 or len(V) == 0:
+        raise MeshError(f"vertices must be (n, 3) with n > 0, got {V.shape}")
+    return V
+
+
+def as_faces(F: ArrayLike, vertex_count: int) -> IntArray:
+    """Triangles as (m, 3) int64 indices below `vertex_count`; MeshError otherwise."""
+    F = np.asarray(F)
+    if F.ndim != 2 or F.shape[1] != 3 or len(F) == 0:
+        raise MeshError(f"faces must be (m, 3) triangles with m > 0, got {F.shape}")
+    if not np.issubdtype(F.dtype, np.integer):
+        raise MeshError(f"faces must be integers, got {F.dtype}")
+    if F.min() < 0 or F.max() >= vertex_count:
+        wrong = int(F.min() if F.min() < 0 else F.max())
+        raise MeshError(f"faces name vertex {wrong}, expected 0 to {vertex_count - 1}")
+    return F.astype(np.int64)
+
+
+def as_indices(indices: ArrayLike, vertex_count: int, what: str) -> IntArray:
+    """Vertex indices as (k,) int64 below `vertex_count`; otherwise ConstraintError naming `what`.
+
+    An empty list of any type is fine.
+    """
+    array = np.asarray(indices)
+    if array.size == 0:
+        return np.empty(0, dtype=np.int64)
+    if array.ndim != 1 or not np.issubdtype(array.dtype, np.integer):
+        raise ConstraintError(
+            f"{what} must be a list of vertex indices, got {array.dtype} of shape {array.shape}"
+        )
+    outside = (array < 0) | (array >= vertex_count)
+    if outside.any():
+        raise ConstraintError(
+            f"{what} names vertex {int(array[outside][0])}, expected 0 to {vertex_count - 1}"
+        )
+    return array.astype(np.int64)
+
+
+def as_floats(values: ArrayLike, what: str, error: type[SolverError]) -> FloatArray:
+    """Any shape as finite float64; `error` naming `what` otherwise."""
+    try:
+        array = np.array(values, dtype=np.float64)
+    except (TypeError, ValueError) as failure:
+        raise error(f"{what} must be numbers: {failure}") from failure
+    if not np.isfinite(array).all():
+        where = np.argwhere(~np.isfinite(array))[0].tolist()
+        raise error(f"{what} must be finite, got {array[tuple(where)]} at index {where}")
+    return array

@@ -1,0 +1,68 @@
+"""Everything between a mesh with its constraints and a surface that can be dragged."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solver.constraints import Constraints, build_constraints
+from solver.energy import deformation_matrix
+from solver.errors import MaterialError
+from solver.material import EdgeGains, Material, explicit_gains, softness_gains
+from solver.response import Response, hard_response
+from solver.shape import RestShape
+from solver.system import System
+
+
+@dataclass(frozen=True)
+class Options:
+    """What a Deformer is built from besides the mesh; see there."""
+
+    fixed: ArrayLike = ()
+    handles: Sequence[ArrayLike] = ()
+    softness: ArrayLike | None = None
+    material: str | Material = "hinge"
+    bending_length: float = 0.01
+    orientation: bool = True
+    edge_gains: EdgeGains | None = None
+
+    def __post_init__(self) -> None:
+        if self.softness is not None and self.edge_gains is not None:
+            raise MaterialError("give softness or edge_gains, got both")
+        length = self.bending_length
+        numeric = isinstance(length, int | float | np.number) and not isinstance(length, bool)
+        if not (numeric and np.isfinite(length) and length > 0):
+            raise MaterialError(f"bending_length must be a positive number, got {length!r}")
+
+
+@dataclass(frozen=True)
+class Binding:
+    """One factorisation and what hangs on it."""
+
+    shape: RestShape
+    options: Options
+    constraints: Constraints
+    system: System
+    hard: Response
+
+
+def bind(shape: RestShape, options: Options, earlier: Binding | None = None) -> Binding:
+    """Assemble, factorise and find the basis. Raises ConstraintError or MaterialError.
+
+    earlier: a binding of the same shape, whose order is reused where the same rows are free.
+    """
+    topology = shape.topology
+    if options.edge_gains is not None:
+        gains = explicit_gains(topology, options.edge_gains)
+    else:
+        gains = softness_gains(topology, options.softness, options.material)
+    constraints = build_constraints(shape, options.fixed, options.handles, options.orientation)
+    K = deformation_matrix(shape.points, topology, options.bending_length, gains)
+    order = None
+    if earlier is not None and np.array_equal(earlier.constraints.free, constraints.free):
+        order = earlier.system.factor.permutation
+    system = System(K, constraints, order)
+    return Binding(shape, options, constraints, system, hard_response(shape, constraints, system))
