@@ -1,0 +1,1 @@
+"""Meshes that come with the tool, and the program that makes them."""

@@ -1,0 +1,43 @@
+"""The session that opens ready to drag: a hand to hold, a soft elbow, a fixed body."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+
+from assets.figure import ELBOW, WRIST
+from solver.types import FloatArray, IntArray
+
+FIXED_BELOW = 0.25
+SOFT_REACH = 0.08
+"""Distance from the elbow to the end of the soft band, in bounding-box diagonals."""
+
+
+def softness(V: FloatArray) -> FloatArray:
+    """1 at the +x elbow, 0 outside its band, C1 between; rounded to 4 decimals."""
+    reach = SOFT_REACH * np.linalg.norm(np.ptp(V, axis=0))
+    u = np.clip((V[:, 0] - ELBOW) / reach, -1, 1)
+    return np.round((1 - u * u) ** 2, 4) + 0.0
+
+
+def session_text(mesh_name: str, V: FloatArray, F: IntArray) -> str:
+    """A session file for the mannequin, one line for each list."""
+    entries = {
+        "format": "surface-deformation-session",
+        "version": 1,
+        "mesh": {"path": mesh_name, "vertices": len(V), "faces": len(F)},
+        "fixed": np.flatnonzero(V[:, 0] < FIXED_BELOW).tolist(),
+        "handles": [
+            {
+                "name": "hand",
+                "vertices": np.flatnonzero(V[:, 0] > WRIST).tolist(),
+                "transform": np.eye(4, dtype=int).tolist(),
+            }
+        ],
+        "softness": softness(V).tolist(),
+        "material": "hinge",
+        "settings": {"bending_length": 0.01, "orientation": True, "rigid": 1},
+    }
+    lines = ",\n ".join(f'"{key}": {json.dumps(value)}' for key, value in entries.items())
+    return "{" + lines + "}\n"

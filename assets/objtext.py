@@ -1,0 +1,38 @@
+"""OBJ text with six decimals."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from assets.quads import QuadMesh, vertex_normals
+from solver.types import FloatArray, IntArray
+
+PROGRAM = "made by assets/generate.py"
+
+
+def _lines(tag: str, rows: FloatArray) -> list[str]:
+    # Adding 0.0 turns a rounded -0.0 into 0.0.
+    numbers = np.round(rows, 6) + 0.0
+    return [f"{tag} " + " ".join(f"{x:.6f}" for x in row) for row in numbers.tolist()]
+
+
+def triangle_text(title: str, V: FloatArray, F: IntArray) -> str:
+    """OBJ of a triangle mesh: a comment, `v` lines, `f` lines."""
+    faces = [f"f {a} {b} {c}" for a, b, c in (F + 1).tolist()]
+    return "\n".join((f"# {title}", f"# {PROGRAM}", *_lines("v", V), *faces, ""))
+
+
+def quad_text(title: str, mesh: QuadMesh) -> str:
+    """OBJ of a quad mesh: positions, UVs shared where equal, normals, a group per part."""
+    uv, corner = np.unique(mesh.uv.reshape(-1, 2).round(6), axis=0, return_inverse=True)
+    lines = [f"# {title}", f"# {PROGRAM}", "o dog", "# positions", *_lines("v", mesh.V)]
+    lines += ["# one tile of the unit square for each block side", *_lines("vt", uv)]
+    lines += ["# smooth normals", *_lines("vn", vertex_normals(mesh.V, mesh.Q))]
+    corner = corner.reshape(-1, 4) + 1
+    for number, name in enumerate(mesh.names):
+        lines += [f"g {name}", f"usemtl {'dark' if name in ('ears', 'tail') else 'light'}", "s 1"]
+        for q, t in zip(
+            (mesh.Q + 1)[mesh.group == number], corner[mesh.group == number], strict=True
+        ):
+            lines.append("f " + " ".join(f"{v}/{k}/{v}" for v, k in zip(q, t, strict=True)))
+    return "\n".join((*lines, ""))
