@@ -19,7 +19,7 @@ def as_vertices(V: ArrayLike) -> FloatArray:
 
 def as_faces(F: ArrayLike, vertex_count: int) -> IntArray:
     """Triangles as (m, 3) int64 indices below `vertex_count`; MeshError otherwise."""
-    F = np.asarray(F)
+    F = _as_array(F, "faces", MeshError)
     if F.ndim != 2 or F.shape[1] != 3 or len(F) == 0:
         raise MeshError(f"faces must be (m, 3) triangles with m > 0, got {F.shape}")
     if not np.issubdtype(F.dtype, np.integer):
@@ -35,7 +35,7 @@ def as_indices(indices: ArrayLike, vertex_count: int, what: str) -> IntArray:
 
     An empty list of any type is fine.
     """
-    array = np.asarray(indices)
+    array = _as_array(indices, what, ConstraintError)
     if array.size == 0:
         return np.empty(0, dtype=np.int64)
     if array.ndim != 1 or not np.issubdtype(array.dtype, np.integer):
@@ -60,3 +60,10 @@ def as_floats(values: ArrayLike, what: str, error: type[SolverError]) -> FloatAr
         where = np.argwhere(~np.isfinite(array))[0].tolist()
         raise error(f"{what} must be finite, got {array[tuple(where)]} at index {where}")
     return array
+
+
+def _as_array(values: ArrayLike, what: str, error: type[SolverError]) -> np.ndarray:
+    try:
+        return np.asarray(values)
+    except ValueError as failure:  # rows of different lengths
+        raise error(f"{what} must be an array: {failure}") from failure

@@ -11,12 +11,12 @@ from numpy.typing import ArrayLike
 from solver.arrays import as_indices
 from solver.errors import ConstraintError
 from solver.shape import RestShape
-from solver.types import BoolArray, IntArray
+from solver.types import BoolArray, FloatArray, IntArray
 
 FREE = -1
 FIXED = 0  # handle number h is group 1 + h
 # Held points count as lying in one plane when their thickness is below this share of their extent.
-PLANAR = 1e-6
+PLANAR = 1e-3
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ def build_constraints(
     component = shape.topology.vertex_component
     held = np.zeros(component.max() + 1, dtype=bool)
     held[component[group != FREE]] = True
-    oriented = held if orientation else held & _underdetermined(shape, group)
+    oriented = group != FREE if orientation else _underdetermined(shape, group)
     face_group = _face_groups(shape, group, oriented)
     row_group = shape.rows(group, face_group)
     free = np.flatnonzero((row_group == FREE) & held[shape.row_component])
@@ -71,43 +71,51 @@ def _claim(group: IntArray, vertices: IntArray, number: int) -> None:
     group[vertices] = 1 + number
 
 
+def _pieces(shape: RestShape, group: IntArray) -> IntArray:
+    """(n,) a number for each group in each component."""
+    return np.asarray(shape.topology.vertex_component * (group.max() + 2) + group - FREE)
+
+
 def _face_groups(shape: RestShape, group: IntArray, oriented: BoolArray) -> IntArray:
     """(m,) the group that holds each triangle's frame.
 
     A group holds the triangles whose corners all belong to it. Where it has none in some
     component (a single vertex, a line) it holds the triangles around: a seed vertex with its frame.
+    oriented: (n,) the held vertices whose group holds frames at all.
     """
     faces = shape.faces
-    component = shape.topology.vertex_component
     corners = group[faces]
-    whole = (corners == corners[:, :1]).all(axis=1) & oriented[component[faces[:, 0]]]
+    whole = (corners == corners[:, :1]).all(axis=1) & oriented[faces[:, 0]]
     face_group = np.where(whole, corners[:, 0], FREE)
-    groups = group.max() + 1
-
-    def piece(group: IntArray, vertex: IntArray) -> IntArray:
-        return component[vertex] * groups + group
-
-    has_frame = np.unique(piece(face_group, faces[:, 0])[face_group != FREE])
-    for corner in range(3):
-        vertex = faces[:, corner]
-        owner = group[vertex]
-        lacking = ~np.isin(piece(owner, vertex), has_frame) & oriented[component[vertex]]
-        face_group = np.where((face_group == FREE) & (owner != FREE) & lacking, owner, face_group)
+    piece = _pieces(shape, group)
+    lacking = oriented & ~np.isin(piece, piece[faces[whole, 0]])
+    for vertex in faces.T:
+        around = (face_group == FREE) & lacking[vertex]
+        face_group = np.where(around, group[vertex], face_group)
     return face_group
 
 
 def _underdetermined(shape: RestShape, group: IntArray) -> BoolArray:
-    """(components,) whether the held positions of a component lie in a plane, a line or a point.
+    """(n,) the held vertices around which positions alone leave the frames open.
 
-    Such positions leave the rest free to turn or mirror about them, so frames must be held too.
+    A flat group leaves its normal open, and frames mirror. Where all that is held in a component
+    lies in a plane, on a line or in a point, the rest is free to turn or mirror about it.
     """
-    component = shape.topology.vertex_component
     held = np.flatnonzero(group != FREE)
-    label, points = component[held], shape.points[held]
-    count = np.bincount(label, minlength=component.max() + 1).clip(min=1)
-    mean = np.column_stack([np.bincount(label, points[:, k], len(count)) for k in range(3)])
+    own = _extents(shape.points[held], _pieces(shape, group)[held])
+    together = _extents(shape.points[held], shape.topology.vertex_component[held])
+    flat = (own[:, 0] <= PLANAR * own[:, 2]) & (own[:, 1] > PLANAR * own[:, 2])
+    result = np.zeros(len(group), dtype=bool)
+    result[held] = flat | (together[:, 0] <= PLANAR * together[:, 2])
+    return result
+
+
+def _extents(points: FloatArray, label: IntArray) -> FloatArray:
+    """(k, 3) how far the points that share a point's label extend, thinnest direction first."""
+    _, label = np.unique(label, return_inverse=True)
+    count = np.bincount(label)
+    mean = np.column_stack([np.bincount(label, points[:, axis]) for axis in range(3)])
     offset = points - (mean / count[:, None])[label]
     scatter = np.zeros((len(count), 3, 3))
     np.add.at(scatter, label, offset[:, :, None] * offset[:, None, :])
-    spread = np.linalg.eigvalsh(scatter)
-    return np.asarray(spread[:, 0] <= PLANAR**2 * spread[:, 2])
+    return np.asarray(np.sqrt(np.linalg.eigvalsh(scatter).clip(min=0.0))[label])

@@ -48,7 +48,7 @@ def resolve_material(material: str | Material) -> Material:
     """The Material itself, or the preset of that name; MaterialError for an unknown name."""
     if isinstance(material, Material):
         return material
-    if material not in PRESETS:
+    if not isinstance(material, str) or material not in PRESETS:
         raise MaterialError(f"unknown material {material!r}, expected one of {', '.join(PRESETS)}")
     return PRESETS[material]
 

@@ -36,8 +36,7 @@ def reconstruct(
     vertex, the origin by default.
     Raises MeshError where the forms do not belong to F or F is not one surface joined by edges.
     """
-    faces = np.asarray(F)
-    faces = as_faces(faces, int(faces.max(initial=0)) + 1)
+    faces = as_faces(F, np.iinfo(np.int64).max)  # the faces say how many vertices there are
     topology = Topology(faces, int(faces.max()) + 1)
     _check(topology, forms, seed_face)
     frame = np.eye(3) if seed_frame is None else as_floats(seed_frame, "seed_frame", MeshError)

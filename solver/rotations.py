@@ -15,8 +15,9 @@ from solver.system import System
 from solver.types import FloatArray
 
 NEWTON_STEPS = 12
-# Where the best and the second best rotation come this close, closed forms lose their digits.
-AMBIGUOUS = 1e-5
+# Where the best and the second best rotation come this close, the quartic's largest root is nearly
+# multiple: Newton's steps, slow there, stop short of it.
+AMBIGUOUS = 1e-2
 # l_r, the weight of neighbouring rotations in a round, in bounding-box diagonals.
 ROTATION_LENGTH = 3e-4
 

@@ -1,0 +1,1 @@
+"""The interactive tool: everything about painting and dragging; `solver` does the mathematics."""

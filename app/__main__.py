@@ -1,0 +1,127 @@
+"""The command line: python -m app ..."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NoReturn
+
+from solver.errors import SolverError
+
+DEFAULT_SESSION = Path(__file__).resolve().parent.parent / "assets" / "mannequin-elbow.json"
+USAGE_ERROR = 2
+WINDOW_HELP = """\
+other commands (each has --help):
+  deform MESH --session FILE -o OUT [--rigid K]   pose a mesh as a session says; no window
+  info MESH                                       what a mesh is and what is wrong with it
+  demo -o DIR                                     paint, fold and save, by itself
+  figures -o DIR                                  the paper's figures"""
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        """One line, where argparse would print its usage too."""
+        self.exit(USAGE_ERROR, f"{self.prog}: {message} (see --help)\n")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command; 0: done, 2: the input or the command is wrong."""
+    arguments = list(sys.argv[1:] if arguments is None else arguments)
+    try:
+        if arguments and arguments[0] in COMMANDS:
+            COMMANDS[arguments[0]](arguments[1:])
+        else:
+            _window(arguments)
+    except (SolverError, OSError) as error:
+        print(f"python -m app: {error}", file=sys.stderr)
+        return USAGE_ERROR
+    return 0
+
+
+def _window(arguments: Sequence[str]) -> None:
+    parser = _Parser(
+        prog="python -m app",
+        description="Open a mesh or a session in a window: paint, drag, save.",
+        epilog=WINDOW_HELP,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("mesh", nargs="?", type=Path, metavar="MESH", help="OBJ, OFF, PLY or STL")
+    parser.add_argument("--session", type=Path, metavar="FILE", help="a session file (.json)")
+    parser.add_argument("--export", type=Path, metavar="FILE", help="where Ctrl+E saves the mesh")
+    options = parser.parse_args(arguments)
+    if options.mesh is None and options.session is None:
+        options.session = DEFAULT_SESSION
+    # Polyscope is loaded here, so that the commands without a window need no graphics library.
+    try:
+        from app.main import run_window
+
+        run_window(options.mesh, options.session, options.export)
+    except (ImportError, RuntimeError) as error:
+        parser.error(f"no window can be opened here ({_first_line(error)}); try `demo` or `deform`")
+
+
+def _deform(arguments: Sequence[str]) -> None:
+    parser = _Parser(
+        prog="python -m app deform", description="Pose a mesh as a session says, without a window."
+    )
+    parser.add_argument("mesh", type=Path, metavar="MESH")
+    parser.add_argument("--session", type=Path, metavar="FILE", required=True)
+    parser.add_argument("-o", "--output", type=Path, metavar="OUT", required=True)
+    parser.add_argument("--rigid", type=_level, metavar="K", help="in place of the session's level")
+    options = parser.parse_args(arguments)
+    from app.headless import deform
+
+    deform(options.mesh, options.session, options.output, options.rigid)
+
+
+def _info(arguments: Sequence[str]) -> None:
+    parser = _Parser(
+        prog="python -m app info", description="What a mesh is and what is wrong with it."
+    )
+    parser.add_argument("mesh", type=Path, metavar="MESH")
+    options = parser.parse_args(arguments)
+    from app.headless import info
+
+    print(info(options.mesh))
+
+
+def _demo(arguments: Sequence[str]) -> None:
+    from app.demo import demo
+
+    demo(_folder("demo", "Paint, fold and save the default mesh, by itself.", arguments))
+
+
+def _figures(arguments: Sequence[str]) -> None:
+    from app.figures import figures
+
+    figures(_folder("figures", "The paper's figures, on the default mesh.", arguments))
+
+
+def _folder(command: str, description: str, arguments: Sequence[str]) -> Path:
+    """The folder of `-o DIR`, made if its parent is there."""
+    parser = _Parser(prog=f"python -m app {command}", description=description)
+    parser.add_argument("-o", "--output", type=Path, metavar="DIR", required=True)
+    folder: Path = parser.parse_args(arguments).output
+    try:
+        folder.mkdir(exist_ok=True)
+    except OSError as error:
+        parser.error(f"{folder}: no folder can be made there ({error.strerror})")
+    return folder
+
+
+def _level(text: str) -> int:
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f"expected an integer of 0 or more, got {text!r}")
+    return int(text)
+
+
+def _first_line(error: Exception) -> str:
+    return str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
+
+
+COMMANDS = {"deform": _deform, "info": _info, "demo": _demo, "figures": _figures}
+
+if __name__ == "__main__":
+    sys.exit(main())

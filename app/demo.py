@@ -1,0 +1,132 @@
+"""A scripted person: paints, folds and saves the default mesh through the code the mouse uses."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+
+from app import commands as c
+from app.camera import Camera
+from app.document import Document
+from app.editor import Editor
+from app.events import Input
+from app.worker import Binder
+from solver import load_mesh
+from solver.errors import SolverError
+
+DEFAULT_MESH = Path(__file__).resolve().parent.parent / "assets" / "mannequin.obj"
+PICTURE_SIZE = (1280, 800)
+Point = tuple[float, float, float]
+
+# Where the brush goes on the mannequin, in world coordinates.
+BODY: Sequence[Sequence[Point]] = (
+    [(0, 1.7, 0.1), (0, 1.5, 0.1), (0, 1.0, 0.1)],
+    [(-0.1, 0.9, 0.1), (-0.11, 0.5, 0.05), (-0.11, 0.03, 0.05)],
+    [(0.1, 0.9, 0.1), (0.11, 0.5, 0.05), (0.11, 0.03, 0.05)],
+    [(-0.1, 1.42, 0.1), (-0.5, 1.425, 0.04), (-0.94, 1.425, 0.0)],
+)
+BODY_RADIUS, HAND_RADIUS, ELBOW_RADIUS = 0.075, 0.05, 0.08
+HAND: Sequence[Point] = ((0.83, 1.425, 0.02), (0.95, 1.425, 0.02))
+ELBOW: Sequence[Point] = ((0.465, 1.425, 0.03),)
+GRAB: Point = (0.85, 1.425, 0.02)
+DRAG: Sequence[Point] = (
+    GRAB,
+    (0.83, 1.6, 0.0),
+    (0.70, 1.75, 0.0),
+    (0.50, 1.78, 0.0),
+    (0.36, 1.7, 0),
+)
+STEPS = 10  # frames between two points of a path
+
+
+class Performer:
+    """Moves a cursor over the editor as a person would over the window."""
+
+    def __init__(self, editor: Editor, camera: Camera) -> None:
+        self._editor = editor
+        self._camera = camera
+
+    def take(self, tool: str, **brush: float) -> None:
+        """Take a tool and set the brush."""
+        self._editor.execute(c.SetTool(tool))
+        self._editor.execute(c.SetBrush(**brush))
+
+    def stroke(self, path: Sequence[Point]) -> None:
+        """Press over the first point, move over the others, release; then wait for the bind."""
+        pixels = self._camera.project(np.array(path))
+        cursor = [pixels[0]]
+        for start, end in pairwise(pixels):
+            cursor += [start + (end - start) * step / STEPS for step in range(1, STEPS + 1)]
+        for number, (x, y) in enumerate(cursor):
+            self._frame(x, y, pressed=number == 0, down=True)
+        self._frame(*cursor[-1], released=True)
+        self._editor.settle()
+
+    def _frame(self, x: float, y: float, **buttons: bool) -> None:
+        ray = self._camera.ray((x, y))
+        self._editor.step(Input(ray, self._camera.forward, **buttons))
+
+
+def demo(folder: Path) -> None:
+    """Save demo.obj, demo.json and pictures of what was done. Raises SolverError.
+
+    Where no graphics library can be used, the pictures are left out and it says so.
+    """
+    editor = Editor(Document(load_mesh(DEFAULT_MESH), DEFAULT_MESH), Binder())
+    camera = Camera.framing(editor.positions, PICTURE_SIZE)
+    draw = painter(editor, camera)
+    performer = Performer(editor, camera)
+    paint_regions(performer)
+    draw(folder / "before.png", "painted: the body fixed, the hand a handle")
+    paint_elbow(performer)
+    draw(folder / "softness.png", "painted: the elbow soft")
+    editor.execute(c.SetMap("roles"))
+    performer.take("drag")
+    performer.stroke(DRAG)
+    draw(folder / "after.png", "dragged: the hand up and in")
+    editor.execute(c.Export(folder / "demo.obj"))
+    editor.execute(c.SaveSession(folder / "demo.json"))
+    editor.close()
+    if editor.message is not None and editor.message.kind == "error":
+        raise SolverError(editor.message.text)
+    print(f"{folder / 'demo.obj'}, {folder / 'demo.json'}: saved")
+
+
+def paint_regions(performer: Performer) -> None:
+    """Body fixed, one hand a handle."""
+    performer.take("fixed", radius=BODY_RADIUS)
+    for path in BODY:
+        performer.stroke(path)
+    performer.take("handle", radius=HAND_RADIUS)
+    performer.stroke(HAND)
+
+
+def paint_elbow(performer: Performer) -> None:
+    """The elbow of that hand soft."""
+    performer.take("softness", radius=ELBOW_RADIUS)
+    performer.stroke(ELBOW)
+
+
+def painter(editor: Editor, camera: Camera) -> Callable[[Path, str], None]:
+    """What takes a picture of the editor; does nothing, and says so once, without graphics."""
+    try:
+        from app.view import View, open_offscreen
+
+        open_offscreen(PICTURE_SIZE)
+    except (ImportError, RuntimeError) as error:
+        reason = str(error).strip().partition("\n")[0]
+        print(f"no pictures: nothing can draw on this machine ({reason})", file=sys.stderr)
+        return lambda path, caption: None
+    view = View()
+
+    def draw(path: Path, caption: str) -> None:
+        view.sync(editor)
+        view.look(camera)
+        view.picture(path)
+        print(f"{path}: {caption}")
+
+    return draw

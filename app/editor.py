@@ -1,0 +1,137 @@
+"""The whole application without its window: one frame of input or one command at a time."""
+
+from __future__ import annotations
+
+from app import binding
+from app.actions import ACTIONS
+from app.colors import MAPS
+from app.commands import Command
+from app.document import FIRST_HANDLE, FIXED
+from app.events import Input
+from app.files import FILE_ACTIONS
+from app.picking import Hit
+from app.tools import TOOLS
+from app.workspace import Workspace
+from solver.errors import SolverError
+from solver.types import FloatArray
+
+HANDLERS = {**ACTIONS, **FILE_ACTIONS}
+
+
+class Editor(Workspace):
+    """What the window draws, and what a person does to it.
+
+    Whatever goes wrong with an input, a command or a file becomes a message; the document stays
+    as it was. hover: what the brush points at, None where no brush is to be shown.
+    """
+
+    hover: Hit | None = None
+
+    def step(self, frame: Input) -> None:
+        """One frame: advance a stroke or drag, take finished binds, pose the surface."""
+        try:
+            self._advance(frame)
+            binding.update(self)
+        except (SolverError, OSError) as error:
+            self.cancel()
+            self.say(str(error), "error")
+        self.hover = self._under(frame)
+
+    def execute(self, command: Command) -> None:
+        """Do what a person asks for."""
+        try:
+            if command.interrupts:
+                self.finish()
+            HANDLERS[type(command)](self, command)
+            binding.update(self)
+        except (SolverError, OSError) as error:
+            self.say(str(error), "error")
+
+    def settle(self) -> None:
+        """For scripts: wait until the surface is what the document asks for. Raises SolverError."""
+        binding.settle(self)
+
+    def close(self) -> None:
+        """End the background work."""
+        self.binder.close()
+
+    @property
+    def captures(self) -> bool:
+        """Whether a stroke or a drag has the mouse; the camera stays still then, and only then."""
+        return self.interaction is not None
+
+    @property
+    def busy(self) -> bool:
+        """Whether a bind is under way."""
+        return self.binder.busy
+
+    @property
+    def dirty(self) -> bool:
+        """Whether there are changes that no session file holds."""
+        return self.history.dirty
+
+    @property
+    def colors(self) -> FloatArray:
+        """(n, 3) RGB of the map that is shown."""
+        return MAPS[self.map](self.document, self.active)
+
+    @property
+    def colors_version(self) -> tuple[object, ...]:
+        """Differs whenever `colors` may."""
+        revision, active = self.document.revision, self.active
+        return (self.map, active and active.key, revision["role"], revision["softness"])
+
+    @property
+    def positions_version(self) -> int:
+        """Differs whenever `positions` does."""
+        return self.surface.version
+
+    @property
+    def bind_seconds(self) -> float | None:
+        """How long the bind in use took, None without one."""
+        return self.surface.bound.seconds if self.surface.bound else None
+
+    @property
+    def drag_seconds(self) -> float:
+        """What the solver took of the last drag frame: orientation and pose."""
+        return self.surface.orient_seconds + self.surface.pose_seconds
+
+    @property
+    def hint(self) -> str:
+        """What to do next, or what is missing before a drag is possible."""
+        role = self.document.role
+        if not (role >= FIRST_HANDLE).any():
+            return f"Paint a handle ({TOOLS['handle'].key})"
+        if self.busy:
+            return "Binding ..."
+        if self.bind_error:
+            return self.bind_error
+        hint = "Press on a handle and drag"
+        if self.tool != "drag":
+            hint = f"Take the drag tool ({TOOLS['drag'].key}), then press on a handle and drag"
+        if not (role == FIXED).any():
+            hint += "; nothing is fixed, so the whole part moves along"
+        return hint
+
+    def _advance(self, frame: Input) -> None:
+        if frame.pressed:
+            self.finish()  # a release that nobody saw
+            self._begin(frame)
+        elif self.interaction is not None and (frame.down or frame.released):
+            self.interaction.move(frame)
+        if self.interaction is None and frame.released:
+            self.history.seal()  # a slider was let go: the next slide is an entry of its own
+        if not frame.down:
+            self.finish()
+
+    def _begin(self, frame: Input) -> None:
+        begin = TOOLS[self.tool].begin
+        hit = self.pick(frame.ray) if begin and frame.ray else None
+        if begin and hit is not None:
+            self.interaction = begin(self, frame, hit)
+
+    def _under(self, frame: Input) -> Hit | None:
+        orbiting = frame.down and not self.captures
+        if frame.ray is None or orbiting or not TOOLS[self.tool].paints:
+            return None
+        return self.pick(frame.ray)

@@ -1,0 +1,73 @@
+"""Commands without a window: they import no graphics library."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from app.document import Document
+from app.files import load_document
+from app.worker import BindRequest, bind
+from solver import load_mesh
+from solver.report import MeshReport, report
+from solver.types import FloatArray
+
+POLYGON_NAMES = {3: "triangles", 4: "quads"}
+
+
+def deform(mesh: Path, session: Path, output: Path, rigid: int | None) -> None:
+    """Pose `mesh` as `session` says, at level `rigid` if given, and save it. Raises SolverError."""
+    document = load_document(mesh, session)
+    if rigid is not None:
+        document.change("rigid", rigid)
+    document.mesh.save(output, posed(document))
+
+
+def posed(document: Document) -> FloatArray:
+    """Positions (n, 3) with every handle where its transform puts it. Raises SolverError."""
+    request = BindRequest.of(document)
+    if not request.keys:
+        return document.mesh.vertices
+    transforms = [h.transform for h in document.handles if h.key in request.keys]
+    return bind(request).pose(transforms, rigid=document.rigid)
+
+
+def info(path: Path) -> str:
+    """What a mesh file holds and what is unusual about it, as text. Raises SolverError."""
+    counts = report(load_mesh(path))
+    lines = [f"{path}", *_surface_lines(counts), *_extra_lines(counts), *_odd_lines(counts)]
+    return "\n".join(lines)
+
+
+def _surface_lines(counts: MeshReport) -> list[str]:
+    polygons = ", ".join(
+        f"{number:,} {POLYGON_NAMES.get(size, f'{size}-gons')}"
+        for size, number in sorted(counts.polygon_sizes.items())
+    )
+    size = " x ".join(f"{b - a:.4g}" for a, b in zip(counts.lower, counts.upper, strict=True))
+    return [
+        _line("vertices", f"{counts.vertices:,}"),
+        _line("faces", polygons),
+        _line("triangles solved", f"{counts.triangles:,}"),
+        _line("components", f"{counts.components:,}"),
+        _line("size", f"{size}, diagonal {counts.diagonal:.4g}"),
+    ]
+
+
+def _extra_lines(counts: MeshReport) -> list[str]:
+    kept = ("texture_coordinates", "normals", "groups")
+    return [_line(_words(name), f"{getattr(counts, name):,}") for name in kept]
+
+
+def _odd_lines(counts: MeshReport) -> list[str]:
+    """What may surprise; all of it loads and deforms."""
+    lines = [_line("boundary", f"{counts.boundary_edges:,} edges, {counts.boundary_loops:,} loops")]
+    odd = ("non_manifold_edges", "degenerate_triangles", "duplicate_faces", "isolated_vertices")
+    return lines + [_line(_words(name), f"{getattr(counts, name):,}") for name in odd]
+
+
+def _words(name: str) -> str:
+    return name.replace("_", " ").replace("non manifold", "non-manifold")
+
+
+def _line(name: str, value: str) -> str:
+    return f"  {name:<22}{value}"

@@ -1,0 +1,1 @@
+"""Comparisons anybody can run: `python -m benchmarks.drag`, `python -m benchmarks.survey`."""

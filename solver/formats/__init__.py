@@ -1,0 +1,1 @@
+"""Mesh file formats: bytes to positions and polygons, and back."""

@@ -1,0 +1,104 @@
+"""A scripted person: aims rays at points of the surface and does what a hand would do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from app.commands import Command, SetBrush, SetTool
+from app.document import Document
+from app.editor import Editor
+from app.events import Input, Ray
+from app.worker import Binder
+from solver import Mesh
+from solver.types import FloatArray, IntArray
+
+
+def sheet(columns: int, rows: int, height: float = 0.0) -> tuple[FloatArray, IntArray]:
+    """Unit squares, each two triangles, in the plane z = height."""
+    x, y = np.meshgrid(np.arange(columns + 1.0), np.arange(rows + 1.0))
+    V = np.column_stack([x.ravel(), y.ravel(), np.full(x.size, height)])
+    i = np.arange(x.size).reshape(x.shape)
+    a, b, c, d = (q.ravel() for q in (i[:-1, :-1], i[:-1, 1:], i[1:, 1:], i[1:, :-1]))
+    return V, np.vstack([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+
+
+def slab(columns: int, rows: int, thickness: float) -> Mesh:
+    """A closed box: two sheets, the upper one first, joined along their rims."""
+    top, F = sheet(columns, rows)
+    n = len(top)
+    edges = np.vstack([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]])
+    pairs = {(int(a), int(b)) for a, b in edges}
+    rim = np.array([(a, b) for a, b in sorted(pairs) if (b, a) not in pairs])
+    a, b = rim.T
+    sides = np.vstack([np.column_stack([b, a, a + n]), np.column_stack([b, a + n, b + n])])
+    V = np.vstack([top, top - [0, 0, thickness]])
+    return Mesh.from_arrays(V, np.vstack([F, F[:, ::-1] + n, sides]))
+
+
+class Person:
+    """One editor and the eye that looks at it, from above by default."""
+
+    def __init__(self, mesh: Mesh, path: Path = Path("mesh.obj"), eye: ArrayLike = (0, 0, 60)):
+        self.editor = Editor(Document(mesh, path), Binder())
+        self.centre = mesh.vertices.mean(axis=0)
+        self.eye = self.centre + np.asarray(eye, dtype=float)
+
+    def ray(self, point: ArrayLike) -> Ray:
+        """From the eye through a point."""
+        direction = np.asarray(point, dtype=float) - self.eye
+        return Ray(self.eye, direction / np.linalg.norm(direction))
+
+    def frame(self, point: ArrayLike | None = None, mouse: str = "", shift: bool = False) -> None:
+        """One frame with the cursor on a point; mouse: some of p(ressed), d(own), r(eleased)."""
+        forward = (self.centre - self.eye) / np.linalg.norm(self.centre - self.eye)
+        ray = None if point is None else self.ray(point)
+        self.editor.step(Input(ray, forward, "p" in mouse, "d" in mouse, "r" in mouse, shift))
+
+    def hold(self, points: Iterable[ArrayLike], shift: bool = False) -> Iterator[int]:
+        """Press on the first point, move through the others: yields after each frame."""
+        for number, point in enumerate(points):
+            self.frame(point, "d" if number else "pd", shift)
+            yield number
+
+    def stroke(self, *points: ArrayLike, shift: bool = False) -> None:
+        """Press, move, and release on the last point."""
+        for _ in self.hold(points, shift):
+            pass
+        self.frame(points[-1], "r", shift)
+
+    def use(self, tool: str, radius: float | None = None) -> None:
+        """Take a tool; radius in world units."""
+        self.do(SetTool(tool))
+        if radius is not None:
+            self.do(SetBrush(radius=radius / self.editor.document.diagonal))
+
+    def do(self, *commands: Command) -> None:
+        """Ask for things."""
+        for command in commands:
+            self.editor.execute(command)
+
+    def ready_bar(self) -> None:
+        """On `slab(20, 4, 2)`: the left end fixed, the right end a handle, bound."""
+        self.use("fixed", 1.6)
+        self.stroke([0, 0, 0], [0, 4, 0])
+        self.use("handle", 1.6)
+        self.stroke([20, 0, 0], [20, 4, 0])
+        self.editor.settle()
+        self.use("drag")
+
+
+def state(document: Document) -> tuple[object, ...]:
+    """Everything undoable, bit for bit."""
+    return (
+        document.role.tobytes(),
+        document.softness.tobytes(),
+        tuple((h.key, h.name, h.transform.tobytes()) for h in document.handles),
+        document.material,
+        document.bending_length,
+        document.orientation,
+        document.rigid,
+    )

@@ -1,0 +1,102 @@
+"""One interface, two factorisations."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import scipy.sparse as sp
+
+import solver.factor
+from solver import Deformer, FactorizationError
+from solver.energy import cotangent_laplacian
+from solver.factor import factorize
+from tests.solver import shapes
+
+BACKENDS = ["cholmod", "splu"]
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(params=BACKENDS)
+def backend(request: pytest.FixtureRequest) -> str:
+    if request.param == "cholmod" and solver.factor.cholmod is None:
+        pytest.skip("cvxopt is not installed")
+    return str(request.param)
+
+
+def matrix(shift: float = 0.1) -> sp.csc_array:
+    V, F = shapes.bumpy_plane(12)
+    return sp.csc_array(cotangent_laplacian(V, F) + shift * sp.eye_array(len(V)))
+
+
+def test_solves(backend: str) -> None:
+    A = matrix()
+    B = np.random.default_rng(0).normal(size=(A.shape[0], 4))
+    factor = factorize(A, backend=backend)
+    for columns in (B, np.asfortranarray(B), B[:, :1], B[:, ::2]):
+        before = columns.copy()
+        np.testing.assert_allclose(A @ factor.solve(columns), columns, atol=1e-11)
+        np.testing.assert_array_equal(columns, before)
+
+
+def test_reuses_an_order(backend: str) -> None:
+    first = factorize(matrix(), backend=backend)
+    n = matrix().shape[0]
+    assert sorted(first.permutation.tolist()) == list(range(n))
+    A = matrix(5.0)
+    B = np.random.default_rng(1).normal(size=(n, 3))
+    again = factorize(A, permutation=first.permutation, backend=backend)
+    np.testing.assert_array_equal(again.permutation, first.permutation)
+    np.testing.assert_allclose(A @ again.solve(B), B, atol=1e-11)
+    other = factorize(A, permutation=np.random.default_rng(2).permutation(n), backend=backend)
+    np.testing.assert_allclose(A @ other.solve(B), B, atol=1e-11)
+
+
+def test_nothing_to_solve(backend: str) -> None:
+    factor = factorize(sp.csc_array((0, 0)), backend=backend)
+    assert factor.solve(np.empty((0, 3))).shape == (0, 3)
+    assert len(factor.permutation) == 0
+
+
+def test_refuses_a_singular_matrix(backend: str) -> None:
+    loose = sp.block_diag([matrix(), sp.csc_array((2, 2))], format="csc")
+    with shapes.refuses(FactorizationError, "146 x 146 system"):
+        factorize(sp.csc_array(loose), backend=backend)
+
+
+def deform() -> list[np.ndarray]:
+    V, F = shapes.tube()
+    softness = np.clip(1 - np.abs(V[:, 0] - 4), 0, 1)
+    left, right = np.flatnonzero(V[:, 0] < 1), np.flatnonzero(V[:, 0] > 7)
+    first = Deformer(V, F, left, [right])
+    deformer = first.rebind(softness=softness).grab(np.exp(-((V[:, 0] - 4) ** 2)))
+    T = [shapes.motion(shapes.rotation([0, 0, 1], 60), [-1, 2, 0], [8, 0, 0]), np.eye(4)]
+    return [deformer.pose(T), deformer.pose(T, rigid=2), deformer.solve(V[right] + 1)]
+
+
+def test_both_deform_alike(monkeypatch: pytest.MonkeyPatch) -> None:
+    if solver.factor.cholmod is None:
+        pytest.skip("cvxopt is not installed")
+    with_cholmod = deform()
+    monkeypatch.setattr(solver.factor, "cholmod", None)
+    for one, other in zip(with_cholmod, deform(), strict=True):
+        np.testing.assert_allclose(one, other, atol=1e-8)
+
+
+def test_works_without_cvxopt() -> None:
+    program = (
+        "import sys; sys.modules['cvxopt'] = None\n"
+        "import numpy as np, solver, solver.factor\n"
+        "assert solver.factor.cholmod is None\n"
+        "V = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]])\n"
+        "d = solver.Deformer(V, [[0, 1, 2], [1, 3, 2]], [0], [[3]])\n"
+        "print(d.pose([np.eye(4)])[3].tolist())\n"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert run.stderr == ""
+    assert run.stdout.strip() == "[1.0, 1.0, 0.0]"
