@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from solver.response import Response
 from solver.types import FloatArray
 
 # Below this share of the system's stiffness nothing resists a turn: rounding would choose it.
@@ -12,7 +11,7 @@ NEGLIGIBLE = 1e-12
 
 
 def best_rotation(
-    response: Response,
+    form: FloatArray,
     handle: int,
     centre: FloatArray,
     displacement: FloatArray,
@@ -25,7 +24,8 @@ def best_rotation(
     With coordinates centred on c the term quadratic in R is constant on SO(3), so that E is
     least where tr(R M) is greatest, M = Q_rr - Q_rt d' - sum over other handles Q_rg (T_g - I).
 
-    centre, displacement: c and d, (3,), normalised.  steps: (4k, 3) T - I of every handle.
+    form: Q, (4k, 4k).  centre, displacement: c and d, (3,), normalised.
+    steps: (4k, 3) T - I of every handle.
     current: returned where nothing resists a turn.  stiffness: the unit of the energy.
     """
     own = slice(4 * handle, 4 * handle + 4)
@@ -35,8 +35,8 @@ def best_rotation(
     L = np.eye(4)
     L[3, :3] = centre
     inverse = np.linalg.inv(L)
-    Q = inverse.T @ response.form[own, own] @ inverse
-    pull = inverse.T @ (response.form[own] @ others)
+    Q = inverse.T @ form[own, own] @ inverse
+    pull = inverse.T @ (form[own] @ others)
     M = Q[:3, :3] - np.outer(Q[:3, 3], displacement) - pull[:3]
     if np.linalg.norm(M) <= NEGLIGIBLE * stiffness:
         return current

@@ -1,6 +1,7 @@
 """The energy written out term by term from its definition, to hold the solver against.
 
-    E = l^2/2 sum w_e^-1 beta_e ||G_j - G_i||^2 + 1/2 sum w_eT sigma_e ||x_b - x_a - G_T (p_b - p_a)||^2
+    E = l^2/2 sum w_e^-1 beta_e  ||G_j - G_i||^2
+        + 1/2 sum w_eT   sigma_e ||x_b - x_a - G_T (p_b - p_a)||^2
 
 Plain loops, angles from coordinates, nothing of the solver's own.
 """
@@ -20,9 +21,11 @@ REGULAR = 3**-0.5
 
 
 class Definition:
-    """E of (V, F) with bending length l (in the units of V) and gains {(a, b): (beta, sigma)}."""
+    """E of (V, F) with the bending length in the units of V and gains {(a, b): (beta, sigma)}."""
 
-    def __init__(self, V: FloatArray, F: IntArray, l: float, gains: Gains | None = None) -> None:
+    def __init__(
+        self, V: FloatArray, F: IntArray, bending_length: float, gains: Gains | None = None
+    ) -> None:
         self.n, self.m = len(V), len(F)
         self._rows: list[tuple[list[int], list[float]]] = []
         self._weights: list[float] = []
@@ -37,7 +40,7 @@ class Definition:
         for edge, around in sides.items():
             for (t, cot_t), (u, cot_u) in combinations(around, 2):
                 w = clamp((cot_t + cot_u) / 2) * (len(around) - 1)
-                self._bend(t, u, l**2 / w * gains.get(edge, (1.0, 1.0))[0])
+                self._bend(t, u, bending_length**2 / w * gains.get(edge, (1.0, 1.0))[0])
         rows = np.repeat(np.arange(len(self._rows)), [len(r[0]) for r in self._rows])
         columns = [column for row in self._rows for column in row[0]]
         values = [value for row in self._rows for value in row[1]]

@@ -70,7 +70,8 @@ def tube(rings: int = 24, around: int = 12, radius: float = 1.0, length: float =
 def bar(length: int = 10, side: int = 3) -> Surface:
     """The boundary of length x side x side unit cubes along x, normals outward."""
     counts = np.array([length, side, side])
-    points, triangles = [], []
+    points: list[IntArray] = []
+    triangles: list[IntArray] = []
     for axis in range(3):
         u, v = (axis + 1) % 3, (axis + 2) % 3
         i, j = np.meshgrid(np.arange(counts[u] + 1), np.arange(counts[v] + 1), indexing="ij")
@@ -78,7 +79,7 @@ def bar(length: int = 10, side: int = 3) -> Surface:
             p = np.zeros((i.size, 3), dtype=np.int64)
             p[:, axis], p[:, u], p[:, v] = end * counts[axis], i.ravel(), j.ravel()
             local = quads(np.arange(i.size).reshape(i.shape))
-            triangles.append((local[:, ::-1] if end else local) + sum(map(len, points)))
+            triangles.append((local[:, ::-1] if end else local) + sum(len(face) for face in points))
             points.append(p)
     lattice, first = np.unique(np.concatenate(points), axis=0, return_inverse=True)
     return lattice.astype(float), first.reshape(-1)[np.concatenate(triangles)][:, ::-1]

@@ -7,8 +7,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+import scipy.sparse as sp
 
 from solver import ConstraintError, Deformer, Material
+from solver.factor import Factor, factorize
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
 from tests.solver.shapes import motion, moved, rotation
@@ -57,7 +59,7 @@ CASES = {
 }
 
 
-@pytest.fixture(params=CASES.values(), ids=CASES)
+@pytest.fixture(params=[*CASES.values()], ids=[*CASES])
 def arm(request: pytest.FixtureRequest) -> Case:
     chosen: Case = request.param
     return chosen
@@ -192,6 +194,22 @@ def test_rebinding_equals_building_anew(changes: dict[str, Any], rigid: int) -> 
     back = other.rebind(**{"fixed": arm.fixed, "handles": arm.handles, "softness": arm.softness})
     back = back.rebind(material="hinge", bending_length=0.01, orientation=True)
     np.testing.assert_allclose(back.pose(arm.posed, rigid), before, atol=1e-9)
+
+
+def test_rebinding_shares_the_order_where_the_same_rows_are_free(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    orders: list[IntArray | None] = []
+
+    def recording(A: sp.csc_array, permutation: IntArray | None = None) -> Factor:
+        orders.append(permutation)
+        return factorize(A, permutation)
+
+    monkeypatch.setattr("solver.system.factorize", recording)
+    deformer = CASES["tube"].deformer()
+    deformer.rebind(softness=None)
+    deformer.rebind(fixed=[])
+    assert [order is not None for order in orders] == [False, True, False]
 
 
 def test_rebinding_refuses_an_option_it_does_not_know() -> None:

@@ -20,7 +20,7 @@ SURFACES = {
 }
 
 
-@pytest.fixture(params=SURFACES.values(), ids=SURFACES)
+@pytest.fixture(params=[*SURFACES.values()], ids=[*SURFACES])
 def surface(request: pytest.FixtureRequest) -> Surface:
     V, F = request.param
     return V.copy(), F.copy()

@@ -29,7 +29,7 @@ class Toy:
     F: IntArray
 
     def box(self, low: list[float], high: list[float]) -> np.ndarray:
-        return np.asarray(((self.V > low) & (self.V < high)).all(axis=1))
+        return np.asarray(((low < self.V) & (high > self.V)).all(axis=1))
 
     @cached_property
     def handle(self) -> IntArray:
@@ -115,7 +115,9 @@ def test_the_regions_are_the_papers(toy: Toy) -> None:
 @pytest.mark.parametrize("degrees", FOLDS)
 @pytest.mark.parametrize("material", MATERIALS)
 @pytest.mark.parametrize("rigid", [0, 1])
-def test_the_fold_keeps_its_constraints(toy: Toy, degrees: float, material: str, rigid: int) -> None:
+def test_the_fold_keeps_its_constraints(
+    toy: Toy, degrees: float, material: str, rigid: int
+) -> None:
     X = toy.deformer(*MATERIALS[material]).pose([fold(degrees)], rigid)
     assert np.isfinite(X).all()
     np.testing.assert_array_equal(X[toy.fixed], toy.V[toy.fixed])

@@ -24,6 +24,16 @@ def test_forms_return_the_surface(name: str) -> None:
     assert error_after_alignment(X, V) < 1e-8
 
 
+def test_errors_do_not_grow_along_a_long_surface() -> None:
+    V, F = shapes.grid(400, 2)
+    x, y = V[:, 0], V[:, 1]
+    coil = np.column_stack(
+        [(20 + x / 10) * np.cos(x / 8), (20 + x / 10) * np.sin(x / 8), x / 9 + y]
+    )
+    for surface in (V, coil):
+        assert error_after_alignment(reconstruct(F, fundamental_forms(surface, F)), surface) < 1e-8
+
+
 @pytest.mark.parametrize("name", ["moomoo.off", "spot.obj", "quadknot.obj", "arm.obj"])
 def test_forms_return_the_shared_meshes(name: str) -> None:
     mesh = load_mesh(shapes.shared(name))
@@ -48,7 +58,8 @@ def test_without_a_seed_the_first_corner_is_the_origin_and_its_edge_the_first_ax
     X = reconstruct(F, fundamental_forms(V, F))
     a, b, c = X[F[0]]
     np.testing.assert_allclose(a, 0, atol=1e-12)
-    np.testing.assert_allclose(b, [np.linalg.norm(V[F[0, 1]] - V[F[0, 0]]), 0, 0], atol=1e-8)
+    length = float(np.linalg.norm(V[F[0, 1]] - V[F[0, 0]]))
+    np.testing.assert_allclose(b, [length, 0.0, 0.0], atol=1e-8)
     assert abs(c[2]) < 1e-8
     assert c[1] > 0
 
