@@ -9,12 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.constraints import Constraints, build_constraints
-from solver.energy import deformation_matrix
 from solver.errors import MaterialError
 from solver.material import EdgeGains, Material, explicit_gains, softness_gains
 from solver.response import Response, hard_response
 from solver.shape import RestShape
-from solver.system import System
+from solver.system import Layout, System
 
 
 @dataclass(frozen=True)
@@ -45,6 +44,7 @@ class Binding:
     shape: RestShape
     options: Options
     constraints: Constraints
+    layout: Layout
     system: System
     hard: Response
 
@@ -52,17 +52,25 @@ class Binding:
 def bind(shape: RestShape, options: Options, earlier: Binding | None = None) -> Binding:
     """Assemble, factorise and find the basis. Raises ConstraintError or MaterialError.
 
-    earlier: a binding of the same shape, whose order is reused where the same rows are free.
+    earlier: a binding of the same shape; what has not changed since then is shared.
     """
     topology = shape.topology
     if options.edge_gains is not None:
         gains = explicit_gains(topology, options.edge_gains)
     else:
         gains = softness_gains(topology, options.softness, options.material)
-    constraints = build_constraints(shape, options.fixed, options.handles, options.orientation)
-    K = deformation_matrix(shape.points, topology, options.bending_length, gains)
-    order = None
-    if earlier is not None and np.array_equal(earlier.constraints.free, constraints.free):
-        order = earlier.system.factor.permutation
-    system = System(K, constraints, order)
-    return Binding(shape, options, constraints, system, hard_response(shape, constraints, system))
+    if earlier is not None and _same_constraints(options, earlier.options):
+        constraints, layout = earlier.constraints, earlier.layout
+    else:
+        constraints = build_constraints(shape, options.fixed, options.handles, options.orientation)
+        layout = Layout(shape, constraints)
+    weights = shape.energy.weights(options.bending_length, gains)
+    system = System(shape, layout, weights)
+    hard = hard_response(shape, constraints, system)
+    return Binding(shape, options, constraints, layout, system, hard)
+
+
+def _same_constraints(one: Options, two: Options) -> bool:
+    return (
+        one.fixed is two.fixed and one.handles is two.handles and one.orientation == two.orientation
+    )

@@ -13,9 +13,10 @@ from numpy.typing import ArrayLike
 
 from solver.arrays import as_floats
 from solver.binding import Binding, Options, bind
+from solver.drag import DragModel
 from solver.errors import ConstraintError
 from solver.material import EdgeGains, Material
-from solver.orientation import best_rotation, rigid_fit
+from solver.orientation import rigid_fit
 from solver.response import soften
 from solver.rotations import Rigidity
 from solver.shape import RestShape
@@ -92,11 +93,9 @@ class Deformer:
         rotation of every frame, then one Poisson solve. rigid k: k - 1 further rounds of both.
         Raises ConstraintError.
         """
-        rigid = _as_level(rigid)
-        steps = self._steps(transforms)
-        if rigid > 0:
-            return self._refine(self._response.basis @ steps, rigid)
-        return self._shape.displace(self._response.basis[: len(self._shape.points)] @ steps)
+        if _as_level(rigid) == 0:
+            return self.drag_model.pose(transforms)
+        return self._refine(self._response.basis @ self.drag_model.steps(transforms), rigid)
 
     def solve(self, targets: ArrayLike, rigid: int = 0) -> FloatArray:
         """X, (n, 3), for any target positions (k, 3) of np.concatenate(handles).
@@ -126,7 +125,9 @@ class Deformer:
     def frames(self, transforms: Sequence[ArrayLike]) -> FloatArray:
         """G, (m, 3, 3): the linear frames, rest to deformed; the identity at rest."""
         n = len(self._shape.points)
-        rows = self._shape.affine_rows[n:, :3] + self._response.basis[n:] @ self._steps(transforms)
+        rows = self._shape.affine_rows[n:, :3] + (
+            self._response.basis[n:] @ self.drag_model.steps(transforms)
+        )
         return rows.reshape(-1, 3, 3).transpose(0, 2, 1)
 
     def orient(
@@ -142,23 +143,7 @@ class Deformer:
         `transforms` puts them: closed form, independent of the size of the mesh. Where nothing
         resists a turn the handle keeps the rotation it has. Raises ConstraintError.
         """
-        if not 0 <= handle < self.handle_count:
-            raise ConstraintError(f"handle must be 0 to {self.handle_count - 1}, got {handle}")
-        steps = self._steps(transforms)
-        p, q = _as_point(grabbed, "grabbed"), _as_point(target, "target")
-        R = best_rotation(
-            self._response,
-            handle,
-            self._shape.normalise(p),
-            (q - p) / self._shape.scale,
-            steps,
-            np.asarray(transforms[handle], dtype=np.float64)[:3, :3],
-            self._system.stiffness,
-        )
-        T = np.eye(4)
-        T[:3, :3] = R
-        T[:3, 3] = q - R @ p
-        return T
+        return self.drag_model.orient(handle, grabbed, target, transforms)
 
     def rebind(self, **changes: Any) -> Deformer:
         """A new Deformer with some of the constructor's options changed.
@@ -197,6 +182,19 @@ class Deformer:
         return Deformer._of(binding, (*self._grabs, grab))
 
     @cached_property
+    def drag_model(self) -> DragModel:
+        """What `pose` at rigid 0 and `orient` need, alone: for a process that only draws."""
+        shape = self._shape
+        return DragModel.of(
+            shape.vertices,
+            shape.centre,
+            shape.scale,
+            self._response.basis[: len(shape.points)],
+            self._response.form,
+            self._system.stiffness,
+        )
+
+    @cached_property
     def _rigidity(self) -> Rigidity:
         binding = self._binding
         return Rigidity(
@@ -213,23 +211,6 @@ class Deformer:
         X = self._rigidity.refine(U, rounds)
         return shape.displace(X - shape.points)
 
-    def _steps(self, transforms: Sequence[ArrayLike]) -> FloatArray:
-        """(4k, 3): T - I of every handle, stacked, in normalised units."""
-        if len(transforms) != self.handle_count:
-            raise ConstraintError(
-                f"expected {self.handle_count} transforms, one for each handle, "
-                f"got {len(transforms)}"
-            )
-        steps = np.zeros((4 * len(transforms), 3))
-        for number, transform in enumerate(transforms):
-            T = as_floats(transform, f"transform {number}", ConstraintError)
-            if T.shape != (4, 4) or not np.allclose(T[3], [0, 0, 0, 1], rtol=0, atol=1e-9):
-                raise ConstraintError(
-                    f"transform {number} must be (4, 4) with last row 0 0 0 1, got {T.tolist()}"
-                )
-            steps[4 * number : 4 * number + 4] = self._shape.stack(T) - np.eye(4, 3)
-        return steps
-
 
 def _stack(grabs: Sequence[SoftHandle], unknowns: int) -> Moments:
     none = np.empty((unknowns, 0))
@@ -243,10 +224,3 @@ def _as_level(rigid: int) -> int:
     if isinstance(rigid, bool) or not isinstance(rigid, int | np.integer) or rigid < 0:
         raise ConstraintError(f"rigid must be an integer of 0 or more, got {rigid!r}")
     return int(rigid)
-
-
-def _as_point(point: ArrayLike, what: str) -> FloatArray:
-    array = as_floats(point, what, ConstraintError)
-    if array.shape != (3,):
-        raise ConstraintError(f"{what} must be (3,), got {array.shape}")
-    return array

@@ -1,4 +1,4 @@
-"""The quadratic energies E = l^2 E_f + E_x as sparse matrices.
+"""The quadratic energies E = l^2 E_f + E_x as weights on a mesh's elements.
 
 Both forms act on U (n + 3m, 3): n positions, then three rows for each triangle, row k being
 column k of the triangle's frame f_t (from the forms) or of its deformation G_t (from rest).
@@ -14,7 +14,7 @@ import scipy.sparse as sp
 
 from solver.forms import FundamentalForms, corner_points, manifold_pairs, transitions
 from solver.topology import HALF_EDGE_END, HALF_EDGE_START, FacePairs, Topology
-from solver.types import FloatArray, IntArray
+from solver.types import FloatArray
 from solver.weights import (
     REGULAR,
     bending_weights,
@@ -22,100 +22,60 @@ from solver.weights import (
     stretching_weights,
 )
 
+# The gains (beta, sigma) of each edge, (e,) each.
+Gains = tuple[FloatArray, FloatArray]
+
 
 @dataclass(frozen=True)
-class RestWeights:
-    """Weights of the rest surface, before material gains.
+class ElementWeights:
+    """Weights of the two energies.
 
-    stretching: (m, 3) w_eT of each half-edge.
-    bending: (p,) w_e^-1 of each two neighbours, divided by k - 1 on an edge with k triangles.
+    stretching: (m, 3) w_eT of each half-edge, times sigma_e.
+    bending: (q,) w_e^-1 of each of the topology's links, times beta_e and l^2; divided by k - 1
+        on an edge with k triangles.
     """
 
     stretching: FloatArray
     bending: FloatArray
 
 
-def rest_weights(half_edge_lengths: FloatArray, pairs: FacePairs) -> RestWeights:
-    """The weights of both energies, from edge lengths (m, 3) opposite each corner alone."""
+class RestEnergy:
+    """What the energy relative to the rest surface P (n, 3) takes from P, before any material:
+
+        1/2 sum over links  l^2 w_e^-1 beta_e  ||G_j - G_i||^2
+            + 1/2 sum over half-edges  w_eT sigma_e  ||x_b - x_a - G_T (p_b - p_a)||^2
+
+    G = I, X = P is a minimiser with E = 0.
+
+    vectors: (m, 3, 3), row k of triangle t being p_b - p_a along its half-edge k.
+    """
+
+    def __init__(self, P: FloatArray, topology: Topology) -> None:
+        self._topology = topology
+        self.vectors = half_edge_vectors(P, topology.faces)
+        self._rest = rest_weights(np.linalg.norm(self.vectors, axis=2), topology.pairs)
+
+    def weights(self, bending_length: float, gains: Gains) -> ElementWeights:
+        """With l and the material. A pinch joins with the weight of a regular, rigid edge."""
+        beta, sigma = gains
+        topology = self._topology
+        pinches = np.full(len(topology.pinches), 1.0 / REGULAR)
+        bending = np.concatenate([self._rest.bending * beta[topology.pairs.edge], pinches])
+        stretching = self._rest.stretching * sigma[topology.half_edge_edge]
+        return ElementWeights(stretching, bending_length**2 * bending)
+
+
+def rest_weights(half_edge_lengths: FloatArray, pairs: FacePairs) -> ElementWeights:
+    """The rigid weights of half-edges and pairs, from edge lengths (m, 3) alone; l = 1."""
     cotangents = half_edge_cotangents(half_edge_lengths)
     first, second = (pairs.first, pairs.half_first), (pairs.second, pairs.half_second)
     w = bending_weights(cotangents, first, second)
-    return RestWeights(stretching_weights(cotangents), 1.0 / (w * (pairs.valence - 1)))
+    return ElementWeights(stretching_weights(cotangents), 1.0 / (w * (pairs.valence - 1)))
 
 
-def deformation_matrix(
-    P: FloatArray,
-    topology: Topology,
-    bending_length: float,
-    gains: tuple[FloatArray, FloatArray],
-) -> sp.csc_array:
-    """K, (n + 3m, n + 3m), of the energy kept relative to the rest surface P (n, 3):
-
-        l^2/2 sum w_e^-1 beta_e ||G_j - G_i||^2
-            + 1/2 sum w_eT sigma_e ||x_b - x_a - G_T (p_b - p_a)||^2
-
-    gains: (beta, sigma), one value an edge. G = I, X = P is a minimiser with E = 0.
-    """
-    beta, sigma = gains
-    pairs = topology.pairs
-    d = half_edge_vectors(P, topology.faces)
-    weights = rest_weights(np.linalg.norm(d, axis=2), pairs)
-    stretching = weights.stretching * sigma[topology.half_edge_edge]
-    bending = bending_length**2 * weights.bending * beta[pairs.edge]
-    joint = np.full(len(topology.pinches), bending_length**2 / REGULAR)
-    links = np.concatenate([np.column_stack([pairs.first, pairs.second]), topology.pinches])
-    return _assemble(topology, d, stretching, links, np.concatenate([bending, joint]))
-
-
-def cotangent_laplacian(P: FloatArray, faces: IntArray) -> sp.csc_array:
-    """Cotangent Laplacian, (n, n), positive semi-definite, weights clamped to positive values.
-
-    [Pinkall & Polthier 1993], without their factor 1/2.
-    """
-    d = half_edge_vectors(P, faces)
-    weights = stretching_weights(half_edge_cotangents(np.linalg.norm(d, axis=2)))
-    rows, columns, values = _vertex_entries(faces, weights)
-    return sp.csc_array(sp.coo_array((values, (rows, columns)), shape=(len(P), len(P))))
-
-
-def half_edge_vectors(P: FloatArray, faces: IntArray) -> FloatArray:
+def half_edge_vectors(P: FloatArray, faces: np.ndarray) -> FloatArray:
     """(m, 3, 3): row k of triangle t is the vector along its half-edge k."""
     return P[faces[:, HALF_EDGE_END]] - P[faces[:, HALF_EDGE_START]]
-
-
-def _assemble(
-    topology: Topology, d: FloatArray, w: FloatArray, links: IntArray, link_weights: FloatArray
-) -> sp.csc_array:
-    """The symmetric matrix, block by block: vertex-vertex, vertex-frame, frame-frame."""
-    n, m = topology.vertex_count, len(topology.faces)
-    frame_row = n + 3 * np.arange(m)[:, None] + np.arange(3)
-    vertex = _vertex_entries(topology.faces, w)
-    wd = w[:, :, None] * d
-    # Corner k starts half-edge k+2 and ends half-edge k+1.
-    mixed_values = (wd[:, HALF_EDGE_END] - wd[:, HALF_EDGE_START]).ravel()
-    mixed_rows = np.repeat(topology.faces.ravel(), 3)
-    mixed_columns = np.repeat(frame_row[:, None, :], 3, axis=1).ravel()
-    own = np.einsum("tki,tkj->tij", wd, d)
-    degree = np.bincount(links.ravel(), weights=np.repeat(link_weights, 2), minlength=m)
-    own[:, np.arange(3), np.arange(3)] += degree[:, None]
-    own_rows, own_columns = np.repeat(frame_row, 3, axis=1), np.tile(frame_row, 3)
-    one, two = frame_row[links[:, 0]].ravel(), frame_row[links[:, 1]].ravel()
-    across = -np.repeat(link_weights, 3)
-    rows = [vertex[0], mixed_rows, mixed_columns, own_rows.ravel(), one, two]
-    columns = [vertex[1], mixed_columns, mixed_rows, own_columns.ravel(), two, one]
-    values = [vertex[2], mixed_values, mixed_values, own.ravel(), across, across]
-    entries = (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns)))
-    return sp.csc_array(sp.coo_array(entries, shape=(n + 3 * m, n + 3 * m)))
-
-
-def _vertex_entries(faces: IntArray, w: FloatArray) -> tuple[IntArray, IntArray, FloatArray]:
-    a, b = faces[:, HALF_EDGE_START].ravel(), faces[:, HALF_EDGE_END].ravel()
-    values = w.ravel()
-    return (
-        np.concatenate([a, b, a, b]),
-        np.concatenate([a, b, b, a]),
-        np.concatenate([values, values, -values, -values]),
-    )
 
 
 def reconstruction_residuals(

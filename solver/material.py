@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.arrays import as_faces, as_floats, as_indices, as_vertices
-from solver.energy import cotangent_laplacian
 from solver.errors import MaterialError
 from solver.factor import factorize
+from solver.stencil import cotangent_laplacian
 from solver.topology import Topology
 from solver.types import FloatArray, IntArray
 

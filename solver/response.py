@@ -36,7 +36,7 @@ def hard_response(shape: RestShape, constraints: Constraints, system: System) ->
         rows = constraints.row_group == 1 + handle
         C[rows, 4 * handle : 4 * handle + 4] = J[rows]
     B = system.respond(C)
-    Q = C.T @ (system.K @ B)  # K B vanishes on the free rows, so the held ones say it all
+    Q = C.T @ (system.coupling @ B)  # C is zero but on the handles' rows
     return Response(B, 0.5 * (Q + Q.T))
 
 

@@ -12,7 +12,7 @@ from solver.factor import factorize
 from solver.shape import RestShape
 from solver.soft import Moments, SoftHandle
 from solver.system import System
-from solver.types import FloatArray
+from solver.types import FloatArray, IntArray
 
 NEWTON_STEPS = 12
 # Where the best and the second best rotation come this close, the quartic's largest root is nearly
@@ -78,17 +78,22 @@ class Rigidity:
         bending_length: float,
     ) -> None:
         n = len(shape.vertices)
-        K = system.K.tocsr()
+        K = system.matrix()
         self._n = n
         self._free = constraints.free[constraints.free < n]
-        self._rows = K[self._free]
-        self._factor = factorize(sp.csc_array(self._rows[:, self._free]))
-        self._local = -K[n:][:, :n]
+        # Rotations are wanted where they matter: on triangles that something can strain.
+        active = system.active
+        self._frames = (n + 3 * active[:, None] + np.arange(3)).ravel()
+        rows = K[self._free]
+        self._factor = factorize(rows[:, self._free])
+        self._rows = sp.csr_array(sp.hstack([rows[:, :n], rows[:, self._frames]]))
         # Held, carried and resting frames are right already: a round leaves them alone.
-        turning = np.zeros(shape.row_count, dtype=bool)
-        turning[constraints.free] = True
-        self._turning = np.flatnonzero(turning[n::3])
-        self._neighbours = _neighbour_weights(K[n::3][:, n::3], bending_length)
+        turning = constraints.free[constraints.free >= n]
+        self._turning = np.searchsorted(active, (turning[::3] - n) // 3)
+        self._local = -K[turning][:, :n]
+        self._neighbours = _neighbour_weights(
+            K[turning[::3]][:, self._frames[::3]], self._turning, bending_length
+        )
         C = np.hstack(
             [np.empty((len(self._free), 0)), *(g.moments[: len(self._free)] for g in grabs)]
         )
@@ -102,12 +107,12 @@ class Rigidity:
         """
         n = self._n
         moments = self._moments.of(U[self._free])
-        R = nearest_rotations(U[n:].reshape(-1, 3, 3))
+        R = nearest_rotations(U[self._frames].reshape(-1, 3, 3))
         X = self._positions(U[:n], R, moments)
         for _ in range(rounds - 1):
             fit = (self._local @ X).reshape(-1, 3, 3)
             fit += (self._neighbours @ R.reshape(-1, 9)).reshape(-1, 3, 3)
-            R[self._turning] = nearest_rotations(fit[self._turning])
+            R[self._turning] = nearest_rotations(fit)
             X = self._positions(X, R, moments)
         return X
 
@@ -119,7 +124,14 @@ class Rigidity:
         return X
 
 
-def _neighbour_weights(frame_block: sp.csr_array, bending_length: float) -> sp.csr_array:
-    """l_r^2 w_e^-1 beta_e between neighbouring triangles, (m, m), from one axis of K's frames."""
-    across = frame_block - sp.diags_array(frame_block.diagonal())
+def _neighbour_weights(
+    frame_rows: sp.csr_array, own: IntArray, bending_length: float
+) -> sp.csr_array:
+    """l_r^2 w_e^-1 beta_e between some triangles and their neighbours.
+
+    frame_rows: one axis of the frames in K.  own: the column of each row's own triangle.
+    """
+    across = sp.coo_array(frame_rows)
+    row, column = across.coords
+    across.data[own[row] == column] = 0.0
     return sp.csr_array(across * -((ROTATION_LENGTH / bending_length) ** 2))

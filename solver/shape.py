@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.arrays import as_faces, as_vertices
+from solver.energy import RestEnergy
+from solver.factor import minimum_degree
 from solver.topology import Topology
 from solver.types import FloatArray, IntArray
 
@@ -38,6 +40,30 @@ class RestShape:
     def rows(self, per_vertex: np.ndarray, per_face: np.ndarray) -> np.ndarray:
         """One value for each row of U from one a vertex and one a triangle."""
         return np.concatenate([per_vertex, np.repeat(per_face, 3)])
+
+    @cached_property
+    def energy(self) -> RestEnergy:
+        """What the energy takes from the rest positions."""
+        return RestEnergy(self.points, self.topology)
+
+    @cached_property
+    def elimination_order(self) -> IntArray | None:
+        """(n + 3m,) an order of U's rows that keeps factors sparse; None where none is found.
+
+        Found once for a mesh, on the graph of its vertices and triangles: the three rows of a
+        triangle belong together. What stays of it when some rows are held is a good order too.
+        """
+        n, m = len(self.vertices), len(self.faces)
+        topology = self.topology
+        corners = np.column_stack([n + np.repeat(np.arange(m), 3), self.faces.ravel()])
+        graph = np.concatenate([topology.edges, corners, n + topology.links])
+        order = minimum_degree(graph.max(axis=1), graph.min(axis=1), n + m)
+        if order is None:
+            return None
+        size = np.where(order < n, 1, 3)
+        first = np.where(order < n, order, 3 * order - 2 * n)
+        within = np.arange(size.sum()) - np.repeat(np.cumsum(size) - size, size)
+        return np.repeat(first, size) + within
 
     @cached_property
     def affine_rows(self) -> FloatArray:

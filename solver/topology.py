@@ -75,6 +75,12 @@ class Topology:
         return FacePairs(one // 3, two // 3, one % 3, two % 3, edge, valence[edge])
 
     @cached_property
+    def links(self) -> IntArray:
+        """(q, 2) the triangles that a bending term joins: `pairs`, then `pinches`."""
+        pairs = np.column_stack([self.pairs.first, self.pairs.second])
+        return np.concatenate([pairs, self.pinches])
+
+    @cached_property
     def vertex_component(self) -> IntArray:
         """(n,) the connected component of each vertex; an unreferenced vertex is one by itself."""
         return _components(self.edges, self.vertex_count)

@@ -7,10 +7,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-import scipy.sparse as sp
 
 from solver import ConstraintError, Deformer, Material
-from solver.factor import Factor, factorize
+from solver.factor import Analysis, analyse
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
 from tests.solver.shapes import motion, moved, rotation
@@ -196,20 +195,22 @@ def test_rebinding_equals_building_anew(changes: dict[str, Any], rigid: int) -> 
     np.testing.assert_allclose(back.pose(arm.posed, rigid), before, atol=1e-9)
 
 
-def test_rebinding_shares_the_order_where_the_same_rows_are_free(
+def test_rebinding_shares_the_analysis_where_the_constraints_are_the_same(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    orders: list[IntArray | None] = []
+    analysed: list[int] = []
 
-    def recording(A: sp.csc_array, permutation: IntArray | None = None) -> Factor:
-        orders.append(permutation)
-        return factorize(A, permutation)
+    def recording(rows: IntArray, columns: IntArray, size: int, order: IntArray | None) -> Analysis:
+        analysed.append(size)
+        return analyse(rows, columns, size, order)
 
-    monkeypatch.setattr("solver.system.factorize", recording)
+    monkeypatch.setattr("solver.system.analyse", recording)
     deformer = CASES["tube"].deformer()
-    deformer.rebind(softness=None)
+    assert len(analysed) == 1
+    deformer.rebind(softness=None).rebind(bending_length=0.1).rebind(material="clay")
+    assert len(analysed) == 1
     deformer.rebind(fixed=[])
-    assert [order is not None for order in orders] == [False, True, False]
+    assert len(analysed) == 2
 
 
 def test_rebinding_refuses_an_option_it_does_not_know() -> None:

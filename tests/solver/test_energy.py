@@ -8,8 +8,9 @@ import scipy.sparse as sp
 from scipy.sparse.linalg import spsolve
 
 from solver import Deformer, fundamental_forms
-from solver.energy import cotangent_laplacian, deformation_matrix, reconstruction_residuals
+from solver.energy import reconstruction_residuals
 from solver.forms import manifold_pairs, rest_frames
+from solver.stencil import cotangent_laplacian, deformation_matrix
 from solver.topology import Topology
 from solver.types import FloatArray, IntArray
 from solver.weights import (

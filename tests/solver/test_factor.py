@@ -13,8 +13,8 @@ import scipy.sparse as sp
 
 import solver.factor
 from solver import Deformer, FactorizationError
-from solver.energy import cotangent_laplacian
-from solver.factor import factorize
+from solver.factor import analyse, factorize
+from solver.stencil import cotangent_laplacian
 from tests.solver import shapes
 
 BACKENDS = ["cholmod", "splu"]
@@ -43,23 +43,46 @@ def test_solves(backend: str) -> None:
         np.testing.assert_array_equal(columns, before)
 
 
-def test_reuses_an_order(backend: str) -> None:
-    first = factorize(matrix(), backend=backend)
-    n = matrix().shape[0]
-    assert sorted(first.permutation.tolist()) == list(range(n))
-    A = matrix(5.0)
+def test_takes_an_order(backend: str) -> None:
+    A = matrix()
+    B = np.random.default_rng(1).normal(size=(A.shape[0], 3))
+    order = np.random.default_rng(2).permutation(A.shape[0])
+    np.testing.assert_allclose(A @ factorize(A, order, backend).solve(B), B, atol=1e-11)
+
+
+def test_one_analysis_serves_factors_of_several_values(backend: str) -> None:
+    one, two = sp.tril(matrix(0.1), format="coo"), sp.tril(matrix(5.0), format="coo")
+    n = one.shape[0]
+    rows, columns = (index.astype(np.int64) for index in one.coords)
+    analysis = analyse(rows, columns, n, None, backend)
     B = np.random.default_rng(1).normal(size=(n, 3))
-    again = factorize(A, permutation=first.permutation, backend=backend)
-    np.testing.assert_array_equal(again.permutation, first.permutation)
-    np.testing.assert_allclose(A @ again.solve(B), B, atol=1e-11)
-    other = factorize(A, permutation=np.random.default_rng(2).permutation(n), backend=backend)
-    np.testing.assert_allclose(A @ other.solve(B), B, atol=1e-11)
+    first, second = analysis.factor(one.data), analysis.factor(two.data)
+    for _ in range(2):  # in turn: neither may see the other's numbers
+        np.testing.assert_allclose(matrix(0.1) @ first.solve(B), B, atol=1e-11)
+        np.testing.assert_allclose(matrix(5.0) @ second.solve(B), B, atol=1e-11)
+
+
+def test_a_factor_survives_one_that_fails(backend: str) -> None:
+    lower = sp.tril(matrix(), format="coo")
+    rows, columns = (index.astype(np.int64) for index in lower.coords)
+    analysis = analyse(rows, columns, lower.shape[0], None, backend)
+    factor = analysis.factor(lower.data)
+    with shapes.refuses(FactorizationError, "144 x 144 system"):
+        analysis.factor(np.zeros_like(lower.data))
+    B = np.ones((lower.shape[0], 1))
+    np.testing.assert_allclose(matrix() @ factor.solve(B), B, atol=1e-11)
+
+
+def test_values_at_a_place_named_twice_add_up(backend: str) -> None:
+    rows, columns = np.array([0, 1, 1, 1, 1]), np.array([0, 0, 1, 0, 1])
+    factor = analyse(rows, columns, 2, None, backend).factor(np.array([4.0, 1, 2, 0.5, 1]))
+    A = np.array([[4, 1.5], [1.5, 3]])
+    np.testing.assert_allclose(A @ factor.solve(np.eye(2)), np.eye(2), atol=1e-14)
 
 
 def test_nothing_to_solve(backend: str) -> None:
     factor = factorize(sp.csc_array((0, 0)), backend=backend)
     assert factor.solve(np.empty((0, 3))).shape == (0, 3)
-    assert len(factor.permutation) == 0
 
 
 def test_refuses_a_singular_matrix(backend: str) -> None:

@@ -17,8 +17,8 @@ from solver import (
     fundamental_forms,
     interpolate_softness,
 )
-from solver.energy import cotangent_laplacian
 from solver.material import explicit_gains, resolve_material, softness_gains
+from solver.stencil import cotangent_laplacian
 from solver.topology import Topology
 from tests.solver import shapes
 
