@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NoReturn
 
+from app.bundled import DEFAULT_SESSION
 from solver.errors import SolverError
 
-DEFAULT_SESSION = Path(__file__).resolve().parent.parent / "assets" / "mannequin-elbow.json"
 USAGE_ERROR = 2
 WINDOW_HELP = """\
 other commands (each has --help):

@@ -8,6 +8,7 @@ from typing import Any
 
 from app import commands as c
 from app.binding import settle
+from app.bundled import writable
 from app.document import Document
 from app.session import read_session, to_document, write_session
 from app.workspace import Workspace
@@ -61,13 +62,13 @@ def export(work: Workspace, command: c.Export) -> None:
 
 def default_session_path(work: Workspace) -> Path:
     """The session that was opened or saved, else one beside the mesh."""
-    return work.session_path or work.document.path.with_suffix(".json")
+    return writable(work.session_path or work.document.path.with_suffix(".json"))
 
 
 def default_export_path(work: Workspace) -> Path:
     """The one the program was started with, else one beside the mesh."""
     mesh = work.document.path
-    return work.export_path or mesh.with_name(f"{mesh.stem}-deformed.obj")
+    return work.export_path or writable(mesh.with_name(f"{mesh.stem}-deformed.obj"))
 
 
 def _announce(work: Workspace, path: Path) -> None:

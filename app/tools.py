@@ -73,5 +73,5 @@ TOOLS = {
     "fixed": Tool("Fixed", "2", _fixed, paints=True, map="roles"),
     "handle": Tool("Handle", "3", _handle, paints=True, map="roles"),
     "softness": Tool("Softness", "4", _softness, paints=True, map="softness"),
-    "drag": Tool("Drag", "5", _drag),
+    "drag": Tool("Drag", "5", _drag, map="roles"),
 }

@@ -15,7 +15,7 @@ from app.picking import Hit
 from solver.types import FloatArray
 
 TITLE = "Surface deformation"
-BACKGROUND = (0.9, 0.91, 0.93)
+BACKGROUND = (0.74, 0.75, 0.78)  # before Polyscope's tone mapping, which brightens it
 PALETTE = {
     "WindowBg": (0.13, 0.14, 0.17, 1.0),
     "PopupBg": (0.16, 0.17, 0.21, 1.0),
@@ -47,6 +47,7 @@ def open_window() -> None:
 def open_offscreen(size: tuple[int, int]) -> None:
     """A canvas for pictures, without a display where EGL can. Raises RuntimeError."""
     _start(("openGL3_egl", "openGL3_glfw"), size)
+    ps.set_background_color((1.0, 1.0, 1.0))
     ps.set_SSAA_factor(2)  # a picture has the time that a frame has not
 
 

@@ -115,11 +115,14 @@ class _Cholmod:
         self._size = size
 
     def factor(self, values: FloatArray) -> _CholmodFactor:
-        stored = np.bincount(self._slot, values) if self._twice else values[self._source]
+        stored = self._summed(values) if self._twice else values[self._source]
         factor = _CholmodFactor(self, stored)
         with self.lock:
             self.load(factor)
         return factor
+
+    def _summed(self, values: FloatArray) -> FloatArray:
+        return np.bincount(self._slot, values).astype(np.float64)
 
     def load(self, factor: _CholmodFactor) -> None:
         """Make the numbers those of `factor`; to be called with the lock held."""
