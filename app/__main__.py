@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import NoReturn
 
 from app.bundled import DEFAULT_SESSION
+from app.graphics import loading
 from solver.errors import SolverError
 
 USAGE_ERROR = 2
@@ -54,12 +55,9 @@ def _window(arguments: Sequence[str]) -> None:
     if options.mesh is None and options.session is None:
         options.session = DEFAULT_SESSION
     # Polyscope is loaded here, so that the commands without a window need no graphics library.
-    try:
+    with loading():
         from app.main import run_window
-
-        run_window(options.mesh, options.session, options.export)
-    except (ImportError, RuntimeError) as error:
-        parser.error(f"no window can be opened here ({_first_line(error)}); try `demo` or `deform`")
+    run_window(options.mesh, options.session, options.export)
 
 
 def _deform(arguments: Sequence[str]) -> None:
@@ -115,10 +113,6 @@ def _level(text: str) -> int:
     if not text.isdecimal():
         raise argparse.ArgumentTypeError(f"expected an integer of 0 or more, got {text!r}")
     return int(text)
-
-
-def _first_line(error: Exception) -> str:
-    return str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
 
 
 COMMANDS = {"deform": _deform, "info": _info, "demo": _demo, "figures": _figures}

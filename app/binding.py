@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.worker import BindFailure, BindRequest
+from app.requests import BindRequest, Bound, Refined, Restarted, Result
 from app.workspace import Workspace
 from solver.errors import SolverError
 
@@ -12,20 +12,19 @@ class BindError(SolverError):
 
 
 def update(work: Workspace) -> None:
-    """Take a bind that has finished, ask for one if the document has changed, pose the surface.
+    """Take what the worker has finished, ask for what the document needs, pose the surface.
 
-    During a stroke or a drag no bind is asked for, and a slow rigid level is put off.
-    Raises SolverError if there is no pose to show.
+    During a stroke or a drag no bind is asked for. Raises SolverError if there is no pose to show.
     """
-    result = work.binder.poll()
-    if isinstance(result, BindFailure):
-        work.bind_error = f"Binding failed: {result.error}"
-        work.say(work.bind_error, "error")
-    elif result is not None:
-        work.surface.attach(result)
     if work.interaction is None:
-        _request(work)
-    work.surface.show(work.document, live=work.interaction is not None)
+        _request_bind(work)
+    _take_results(work)
+    work.surface.choose(work.document, work.dragging, work.worker.binding)
+    # Again if a bind arrives meanwhile: what was wished for was for the one before.
+    while (wish := work.surface.wish(work.document)) is not None:
+        work.worker.request(wish)
+        _take_results(work)
+    work.surface.show(work.document)
 
 
 def settle(work: Workspace) -> None:
@@ -34,13 +33,17 @@ def settle(work: Workspace) -> None:
     Raises BindError if it cannot be, SolverError as `update`.
     """
     update(work)
-    work.binder.wait()
-    update(work)
+    while work.worker.busy:
+        work.worker.wait()
+        update(work)
     if work.bind_error:
         raise BindError(work.bind_error)
+    refusal = work.surface.refusal(work.document)
+    if refusal is not None:
+        raise refusal
 
 
-def _request(work: Workspace) -> None:
+def _request_bind(work: Workspace) -> None:
     document = work.document
     if document.bind_version == work.requested_version:
         return
@@ -48,7 +51,34 @@ def _request(work: Workspace) -> None:
     work.bind_error = ""
     request = BindRequest.of(document)
     if request.keys:
-        work.binder.request(request)
+        work.worker.request(request)
     else:
-        work.binder.drop()
+        work.worker.drop()
         work.surface.attach(None)
+
+
+def _take_results(work: Workspace) -> None:
+    """All of them, even if one is an error that has to be raised."""
+    refusal: SolverError | None = None
+    for result in work.worker.poll():
+        try:
+            _take(work, result)
+        except SolverError as error:
+            refusal = error
+    if refusal is not None:
+        raise refusal
+
+
+def _take(work: Workspace, result: Result) -> None:
+    if isinstance(result, Bound):
+        work.surface.attach(result)
+    elif isinstance(result, Refined):
+        work.surface.take(result)
+    elif isinstance(result, Restarted):
+        work.say("The solver stopped and was started again", "error")
+    elif isinstance(result.request, BindRequest):
+        work.bind_error = f"Binding failed: {result.error}"
+        work.say(work.bind_error, "error")
+    else:
+        work.surface.refuse(result.request, result.error)
+        raise result.error

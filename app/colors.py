@@ -43,6 +43,7 @@ def viridis(values: ArrayLike) -> FloatArray:
 
 # Free, fixed, the active handle, the other handles.
 FREE_COLOR, FIXED_COLOR, ACTIVE_COLOR, OTHER_COLOR = viridis([0.5, 0.0, 1.0, 0.86])
+SOFT_COLOR = viridis([0.75])[0]
 
 
 def role_colors(document: Document, active: Handle | None) -> FloatArray:

@@ -10,15 +10,16 @@ from pathlib import Path
 import numpy as np
 
 from app import commands as c
+from app.bundled import DEFAULT_MESH
 from app.camera import Camera
 from app.document import Document
 from app.editor import Editor
 from app.events import Input
-from app.worker import Binder
+from app.graphics import GraphicsError, loading
+from app.worker import ProcessWorker
 from solver import load_mesh
 from solver.errors import SolverError
 
-DEFAULT_MESH = Path(__file__).resolve().parent.parent / "assets" / "mannequin.obj"
 PICTURE_SIZE = (1280, 800)
 Point = tuple[float, float, float]
 
@@ -76,9 +77,13 @@ def demo(folder: Path) -> None:
 
     Where no graphics library can be used, the pictures are left out and it says so.
     """
-    editor = Editor(Document(load_mesh(DEFAULT_MESH), DEFAULT_MESH), Binder())
+    editor = Editor(Document(load_mesh(DEFAULT_MESH), DEFAULT_MESH), ProcessWorker())
     camera = Camera.framing(editor.positions, PICTURE_SIZE)
-    draw = painter(editor, camera)
+    try:
+        draw = painter(editor, camera)
+    except GraphicsError as error:
+        print(f"no pictures: {error}", file=sys.stderr)
+        draw = _no_picture
     performer = Performer(editor, camera)
     paint_regions(performer)
     draw(folder / "before.png", "painted: the body fixed, the hand a handle")
@@ -96,6 +101,10 @@ def demo(folder: Path) -> None:
     print(f"{folder / 'demo.obj'}, {folder / 'demo.json'}: saved")
 
 
+def _no_picture(path: Path, caption: str) -> None:
+    """What stands in for a painter where nothing can be drawn."""
+
+
 def paint_regions(performer: Performer) -> None:
     """Body fixed, one hand a handle."""
     performer.take("fixed", radius=BODY_RADIUS)
@@ -111,16 +120,13 @@ def paint_elbow(performer: Performer) -> None:
     performer.stroke(ELBOW)
 
 
-def painter(editor: Editor, camera: Camera) -> Callable[[Path, str], None]:
-    """What takes a picture of the editor; does nothing, and says so once, without graphics."""
-    try:
+def painter(
+    editor: Editor, camera: Camera, size: tuple[int, int] = PICTURE_SIZE
+) -> Callable[[Path, str], None]:
+    """What takes a picture of the editor. Raises GraphicsError."""
+    with loading():
         from app.view import View, open_offscreen
-
-        open_offscreen(PICTURE_SIZE)
-    except (ImportError, RuntimeError) as error:
-        reason = str(error).strip().partition("\n")[0]
-        print(f"no pictures: nothing can draw on this machine ({reason})", file=sys.stderr)
-        return lambda path, caption: None
+    open_offscreen(size)
     view = View()
 
     def draw(path: Path, caption: str) -> None:

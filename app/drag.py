@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import numpy as np
 
 from app.document import Handle
@@ -17,6 +19,8 @@ STILL = 1e-5  # in diagonals, far below a pixel: the cursor has not moved
 
 class Drag:
     """Moves one handle by the point it was grabbed at. Waits while the solver is still binding."""
+
+    drags: ClassVar[bool] = True
 
     def __init__(self, work: Workspace, press: Input, hit: Hit, handle: Handle) -> None:
         self._work = work

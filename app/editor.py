@@ -52,8 +52,8 @@ class Editor(Workspace):
         binding.settle(self)
 
     def close(self) -> None:
-        """End the background work."""
-        self.binder.close()
+        """End the worker."""
+        self.worker.close()
 
     @property
     def captures(self) -> bool:
@@ -62,8 +62,16 @@ class Editor(Workspace):
 
     @property
     def busy(self) -> bool:
-        """Whether a bind is under way."""
-        return self.binder.busy
+        """Whether the surface is not yet what the document asks for: a bind or a pose is under way.
+
+        A drag shows its poses as they come; only a bind counts then.
+        """
+        return self.worker.binding if self.dragging else self.worker.busy
+
+    @property
+    def waits(self) -> bool:
+        """Whether what is under way takes so long that a person should be told."""
+        return self.worker.binding or (self.busy and self.surface.slow)
 
     @property
     def dirty(self) -> bool:
@@ -102,8 +110,8 @@ class Editor(Workspace):
         role = self.document.role
         if not (role >= FIRST_HANDLE).any():
             return f"Paint a handle ({TOOLS['handle'].key})"
-        if self.busy:
-            return "Binding ..."
+        if self.waits:
+            return "Binding ..." if self.worker.binding else "Refining ..."
         if self.bind_error:
             return self.bind_error
         hint = "Press on a handle and drag"

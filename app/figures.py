@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from app.bundled import DEFAULT_MESH
 from app.camera import Camera
-from app.demo import DEFAULT_MESH, DRAG, PICTURE_SIZE, Performer, paint_regions, painter
+from app.demo import DRAG, PICTURE_SIZE, Performer, paint_regions, painter
 from app.document import Document
 from app.editor import Editor
-from app.worker import Binder
+from app.worker import ProcessWorker
 from solver import load_mesh
 
 
 def figures(folder: Path) -> None:
     """Save figures 4, 6 and 7 as PNG files. Raises SolverError."""
-    editor = Editor(Document(load_mesh(DEFAULT_MESH), DEFAULT_MESH), Binder())
+    editor = Editor(Document(load_mesh(DEFAULT_MESH), DEFAULT_MESH), ProcessWorker())
     camera = Camera.framing(editor.positions, PICTURE_SIZE)
     performer = Performer(editor, camera)
     draw = painter(editor, camera)

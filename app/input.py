@@ -18,7 +18,7 @@ RADIUS_STEP = 1.15
 
 @dataclass(frozen=True)
 class WindowAction(c.Command):
-    """Something the window does by itself: "frame", "help" or "open"."""
+    """Something the window does by itself: "frame", "help", or a row of the panel's files."""
 
     name: str
 
@@ -61,8 +61,8 @@ SHORTCUTS = (
     ),
     Shortcut("Ctrl+Y", "Redo", psim.ImGuiKey_Y, _always(c.Redo()), ctrl=True, repeats=True),
     Shortcut("Ctrl+O", "Open", psim.ImGuiKey_O, _always(WindowAction("open")), ctrl=True),
-    Shortcut("Ctrl+S", "Save session", psim.ImGuiKey_S, _always(c.SaveSession()), ctrl=True),
-    Shortcut("Ctrl+E", "Export mesh", psim.ImGuiKey_E, _always(c.Export()), ctrl=True),
+    Shortcut("Ctrl+S", "Save session", psim.ImGuiKey_S, _always(WindowAction("save")), ctrl=True),
+    Shortcut("Ctrl+E", "Export mesh", psim.ImGuiKey_E, _always(WindowAction("export")), ctrl=True),
     Shortcut("R", "Reset pose", psim.ImGuiKey_R, _always(c.ResetPose())),
     Shortcut("F", "Frame the mesh", psim.ImGuiKey_F, _always(WindowAction("frame"))),
     Shortcut("F1", "Help", psim.ImGuiKey_F1, _always(WindowAction("help"))),
@@ -91,14 +91,15 @@ def read_shortcuts(brush: Brush) -> list[c.Command]:
     io = psim.GetIO()
     if io.WantTextInput:
         return []
-    ctrl = _held(io.KeyCtrl, psim.ImGuiKey_LeftCtrl, psim.ImGuiKey_RightCtrl)
-    ctrl = ctrl or _held(io.KeySuper, psim.ImGuiKey_LeftSuper, psim.ImGuiKey_RightSuper)
+    ctrl_now = io.KeyCtrl or io.KeySuper
+    ctrl = _held(ctrl_now, psim.ImGuiKey_LeftCtrl, psim.ImGuiKey_RightCtrl)
+    ctrl = _held(ctrl, psim.ImGuiKey_LeftSuper, psim.ImGuiKey_RightSuper)
     shift = _held(io.KeyShift, psim.ImGuiKey_LeftShift, psim.ImGuiKey_RightShift)
+    # A frame that sees Ctrl let go may also see the plain key that was pressed after it.
     return [
         shortcut.command(brush)
         for shortcut in SHORTCUTS
-        if shortcut.ctrl == ctrl
-        and (shortcut.shift == shift or not ctrl)
+        if (ctrl and shortcut.shift == shift if shortcut.ctrl else not ctrl_now)
         and psim.IsKeyPressed(shortcut.key, shortcut.repeats)
     ]
 

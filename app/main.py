@@ -17,7 +17,7 @@ from app.input import WindowAction, read_mouse, read_shortcuts
 from app.panel import ERROR_COLOR, WIDTH, Panel
 from app.session import write_session
 from app.view import View, open_window
-from app.worker import Binder
+from app.worker import ProcessWorker, Worker
 from solver.errors import SolverError
 
 FRAME_SECONDS = 1 / 60
@@ -36,30 +36,35 @@ def run_window(mesh: Path | None, session: Path | None, export: Path | None) -> 
     """Open a mesh, a session, or a session on another mesh, and stay until the window is closed.
 
     export: where Ctrl+E saves.
-    Raises SolverError for a file that cannot be used, RuntimeError where there is no display.
+    Raises SolverError for a file that cannot be used, GraphicsError where there is no display.
     """
+    worker = ProcessWorker()  # first: it loads while the window opens
+    try:
+        _run(worker, mesh, session, export)
+    finally:
+        worker.close()
+
+
+def _run(worker: Worker, mesh: Path | None, session: Path | None, export: Path | None) -> None:
     open_window()
     ps.set_user_callback(lambda: _overlay("loading", "Loading ..."))
     for _ in range(2):  # the first frame of a window may come before it is shown
         ps.frame_tick()
-    editor = Editor(load_document(mesh, session), Binder(), session, export)
-    window = Window(editor)
+    window = Window(Editor(load_document(mesh, session), worker, session, export))
     ps.set_user_callback(window.frame)
     ps.set_files_dropped_callback(window.drop)
     try:
-        _loop(editor)
+        _loop()
     finally:
         window.close()
 
 
-def _loop(editor: Editor) -> None:
+def _loop() -> None:
     """Sixty frames a second and no more: Polyscope's own limit burns the time in between."""
     while not ps.window_requests_close():
         start = time.perf_counter()
         ps.frame_tick()
-        spent = time.perf_counter() - start
-        # Drawing holds Python's global lock: a bind gets on only while the window sleeps.
-        time.sleep(max(FRAME_SECONDS - spent, spent if editor.busy else 0.0, 0.0))
+        time.sleep(max(FRAME_SECONDS - (time.perf_counter() - start), 0.0))
 
 
 class Window:
@@ -88,7 +93,7 @@ class Window:
         self._drops = [Path(file) for file in files[:1]]
 
     def close(self) -> None:
-        """End the background work and keep what was not saved."""
+        """End the worker and keep what was not saved."""
         self._editor.close()
         keep_unsaved(self._editor)
 
@@ -120,15 +125,15 @@ class Window:
             self._editor.execute(command)
         if self._document != self._editor.document.serial:
             self._document = self._editor.document.serial
-            self._panel.forget_paths()
+            self._panel.files.forget()
 
     def _act(self, name: str) -> None:
         if name == "frame":
             self._view.frame_mesh(self._editor.positions)
         elif name == "help":
             self._panel.show_help = not self._panel.show_help
-        elif name == "open":
-            self._panel.focus_open = True
+        else:
+            self._panel.files.use(name)
 
     def _messages(self) -> None:
         if self._waiting:
@@ -159,15 +164,17 @@ def keep_unsaved(editor: Editor) -> None:
 
 
 def _overlay(name: str, text: str, error: bool = False) -> None:
-    """A line over the scene, at the bottom."""
+    """A message over the scene, at the bottom."""
     width, height = psim.GetIO().DisplaySize
     psim.SetNextWindowPos((0.5 * (width + WIDTH), height - 30.0), 0, (0.5, 1.0))
     psim.SetNextWindowBgAlpha(0.9)
     psim.Begin(f"##{name}", OVERLAY)
+    psim.PushTextWrapPos(max(width - WIDTH - 60.0, 100.0))
     try:
         if error:
             psim.TextColored(ERROR_COLOR, text)
         else:
             psim.Text(text)
     finally:
+        psim.PopTextWrapPos()
         psim.End()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 import numpy as np
 
@@ -31,6 +31,8 @@ class Paint(Protocol):
 
 class Stroke:
     """Paints along the cursor's path, however few frames saw it move."""
+
+    drags: ClassVar[bool] = False
 
     def __init__(
         self, work: Workspace, press: Input, hit: Hit, gesture: Gesture, paint: Paint

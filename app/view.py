@@ -11,6 +11,7 @@ import polyscope.imgui as psim
 
 from app.camera import FIELD_OF_VIEW, Camera
 from app.editor import Editor
+from app.graphics import GraphicsError
 from app.picking import Hit
 from solver.types import FloatArray
 
@@ -40,12 +41,12 @@ EDGE_WIDTH, EDGE_COLOR = 0.6, (0.15, 0.15, 0.2)
 
 
 def open_window() -> None:
-    """A window on the screen. Raises RuntimeError where there is none."""
+    """A window on the screen. Raises GraphicsError where there is none."""
     _start(("openGL3_glfw",), (1280, 800))
 
 
 def open_offscreen(size: tuple[int, int]) -> None:
-    """A canvas for pictures, without a display where EGL can. Raises RuntimeError."""
+    """A canvas for pictures, without a display where EGL can. Raises GraphicsError."""
     _start(("openGL3_egl", "openGL3_glfw"), size)
     ps.set_background_color((1.0, 1.0, 1.0))
     ps.set_SSAA_factor(2)  # a picture has the time that a frame has not
@@ -74,10 +75,10 @@ def _init(backends: tuple[str, ...]) -> None:
     for number, backend in enumerate(backends, start=1):
         try:
             ps.init(backend)
-        except RuntimeError:
+        except RuntimeError as error:
             if number == len(backends):
                 ps.init("openGL_mock")  # else Polyscope complains at exit that it never started
-                raise
+                raise GraphicsError(error) from error
         else:
             return
 

@@ -1,198 +1,242 @@
-"""Binding in the background: plain immutable data goes in, a deformer comes out.
-
-Binding is everything between a finished stroke and a surface that can be dragged.
-"""
+"""What works for the window: takes requests, returns at once, and gives results when they come."""
 
 from __future__ import annotations
 
-import threading
 import time
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, field
+from typing import Protocol
 
-import numpy as np
+from app.process import ProcessDied, SolverProcess
+from app.requests import (
+    Answer,
+    BindRequest,
+    Bound,
+    Failure,
+    RefineRequest,
+    Request,
+    Restarted,
+    Result,
+    WorkerError,
+    result_of,
+)
+from solver.errors import SolverError
 
-from app.document import Document
-from solver import Deformer
-from solver.material import Material
-from solver.types import FloatArray, IntArray
+# How often a request is given to a process in whose hands the process has ended.
+ATTEMPTS = 3
+# Seconds that a bind of a mesh nobody looks at any more may hold up the bind of another one.
+PATIENCE = 1.0
 
 
-@dataclass(frozen=True, eq=False)
-class BindRequest:
-    """A snapshot of all that binding depends on.
+class Worker(Protocol):
+    """Of the requests of one kind the newest counts: an older one that waits is dropped.
 
-    version: of the document it was taken from. mesh: a number that names the mesh.
-    keys: (h,) of the handles that have vertices, in the order of `handles` (index arrays).
-    rigid: the level that the surface will be posed at, to be made ready.
+    A bind that is superseded while it runs gives no result; a refinement goes before no bind.
     """
 
-    version: int
-    mesh: int
-    keys: tuple[int, ...]
-    vertices: FloatArray
-    faces: IntArray
-    fixed: IntArray
-    handles: tuple[IntArray, ...]
-    softness: FloatArray
-    material: str | Material
-    bending_length: float
-    orientation: bool
-    rigid: int
+    def request(self, request: Request) -> None:
+        """Ask for something; returns at once."""
 
-    @staticmethod
-    def of(document: Document) -> BindRequest:
-        """The snapshot of a document; handles without a vertex stay out."""
-        regions = {handle.key: document.vertices_of(handle.key) for handle in document.handles}
-        regions = {key: vertices for key, vertices in regions.items() if len(vertices)}
-        return BindRequest(
-            version=document.bind_version,
-            mesh=document.serial,
-            keys=tuple(regions),
-            vertices=document.mesh.vertices,
-            faces=document.mesh.faces,
-            fixed=document.fixed,
-            handles=tuple(regions.values()),
-            softness=document.softness.copy(),
-            material=document.material,
-            bending_length=document.bending_length,
-            orientation=document.orientation,
-            rigid=document.rigid,
-        )
-
-
-# What `Deformer` takes beside the mesh, and `Deformer.rebind` where it differs.
-ARGUMENTS = ("fixed", "handles", "softness", "material", "bending_length", "orientation")
-
-
-@dataclass(frozen=True, eq=False)
-class Bound:
-    """A finished bind. seconds: how long it took."""
-
-    request: BindRequest
-    deformer: Deformer
-    seconds: float
-
-
-@dataclass(frozen=True, eq=False)
-class BindFailure:
-    """A bind that could not be done."""
-
-    request: BindRequest
-    error: Exception
-
-
-Build = Callable[[BindRequest, Bound | None], Deformer]
-
-
-def bind(request: BindRequest, last: Bound | None = None) -> Deformer:
-    """The deformer for a request, sharing what it can with the last one of the same mesh."""
-    arguments = {name: getattr(request, name) for name in ARGUMENTS}
-    if last is None or last.request.mesh != request.mesh:
-        deformer = Deformer(request.vertices, request.faces, **arguments)
-    else:
-        deformer = last.deformer.rebind(
-            **{
-                name: value
-                for name, value in arguments.items()
-                if not _same(value, getattr(last.request, name))
-            }
-        )
-    # What the first pose of a level prepares belongs to the bind, not to the first drag frame.
-    deformer.pose([np.eye(4)] * len(request.handles), rigid=request.rigid)
-    return deformer
-
-
-def _same(one: Any, two: Any) -> bool:
-    if isinstance(one, tuple):
-        return len(one) == len(two) and all(map(np.array_equal, one, two))
-    return bool(np.array_equal(one, two)) if isinstance(one, np.ndarray) else bool(one == two)
-
-
-class Binder:
-    """Binds in one background thread. The newest request wins: older ones that wait are dropped."""
-
-    def __init__(self, build: Build = bind) -> None:
-        self._build = build
-        self._change = threading.Condition()
-        self._pending: BindRequest | None = None
-        self._running: BindRequest | None = None
-        self._result: Bound | BindFailure | None = None
-        self._last: Bound | None = None
-        self._wanted = False
-        self._closed = False
-        self._thread: threading.Thread | None = None
-
-    def request(self, request: BindRequest) -> None:
-        """Ask for a bind; returns at once."""
-        with self._change:
-            self._pending = request
-            self._wanted = True
-            if self._thread is None and not self._closed:
-                # a daemon: a window that closes does not wait for a long bind
-                self._thread = threading.Thread(target=self._work, name="bind", daemon=True)
-                self._thread.start()
-            self._change.notify_all()
-
-    def poll(self) -> Bound | BindFailure | None:
-        """What has finished since the last call, None when nothing has."""
-        with self._change:
-            result, self._result = self._result, None
-            return result
+    def poll(self) -> list[Result]:
+        """What has arrived since the last call, oldest first."""
 
     def drop(self) -> None:
         """Forget the requests so far: no result of theirs will be polled."""
-        with self._change:
-            self._pending = self._result = None
-            self._wanted = False
 
     @property
     def busy(self) -> bool:
-        """Whether a result that is wanted has not been reached yet."""
-        with self._change:
-            return self._unfinished()
+        """Whether a result that is wanted has not been polled yet."""
+
+    @property
+    def binding(self) -> bool:
+        """Whether a bind is under way; refinements wait for it."""
 
     def wait(self, timeout: float | None = None) -> bool:
-        """Block until nothing is under way (or `timeout` seconds passed); whether that is so."""
-        with self._change:
-            return self._change.wait_for(lambda: not self._unfinished(), timeout)
+        """Block until there is something to poll or nothing is under way; False: too long."""
 
     def close(self) -> None:
-        """End the thread; a bind that is running ends by itself and goes nowhere."""
+        """End whatever runs; nothing will be polled any more."""
+
+
+@dataclass(eq=False)
+class _Job:
+    """wanted: whether somebody waits for the result. since: when it was asked for."""
+
+    request: Request
+    wanted: bool = True
+    since: float = field(default_factory=time.monotonic)
+
+
+class ProcessWorker:
+    """A worker in a process of its own: CHOLMOD would hold the window's global lock.
+
+    Runs no thread: it gets on whenever it is asked for anything. If the process ends by itself
+    another is started, and what it was doing is asked of that one, ATTEMPTS times in all.
+
+    A superseded bind runs to its end, for the next bind of the mesh shares its ordering; ended
+    half-way it would cost a new process and a bind from scratch. Only where the next bind is of
+    another mesh, which shares nothing, the process is replaced after PATIENCE.
+    """
+
+    def __init__(self) -> None:
+        self._process = SolverProcess()
+        self._process.start()  # now, to load while the window opens
+        self._waiting: dict[type[Request], _Job] = {}
+        self._running: _Job | None = None
+        self._results: list[Result] = []
+        self._deaths = 0
+        self._known: int | None = None  # version of the bind that the process can refine
+        self._used: BindRequest | None = None  # the bind polled last, which refinements are for
+        self._closed = False
+
+    @property
+    def pid(self) -> int | None:
+        """The system's number of the process, None when there is none."""
+        return self._process.pid
+
+    def request(self, request: Request) -> None:
+        """See Worker."""
+        if self._closed:
+            return
+        if isinstance(request, BindRequest):
+            self._abandon()
+        self._waiting[type(request)] = _Job(request)
+        self._advance()
+
+    def poll(self) -> list[Result]:
+        """See Worker."""
+        self._advance()
+        results, self._results = self._results, []
+        return results
+
+    def drop(self) -> None:
+        """See Worker."""
+        self._waiting.clear()
+        self._results.clear()
+        self._used = None
+        if self._running is not None:
+            self._running.wanted = False
+
+    @property
+    def busy(self) -> bool:
+        """See Worker."""
+        return bool(self._results) or self._unfinished()
+
+    @property
+    def binding(self) -> bool:
+        """See Worker."""
+        running = self._running is not None and isinstance(self._running.request, BindRequest)
+        return running or BindRequest in self._waiting
+
+    def wait(self, timeout: float | None = None) -> bool:
+        """See Worker."""
+        deadline = None if timeout is None else time.monotonic() + timeout
+        while True:
+            self._advance()
+            if self._results or not self._unfinished():
+                return True
+            left = PATIENCE if deadline is None else deadline - time.monotonic()
+            if left <= 0:
+                return False
+            self._process.wait(min(left, PATIENCE))
+
+    def close(self) -> None:
+        """See Worker."""
         self.drop()
-        with self._change:
-            self._closed = True
-            self._change.notify_all()
+        self._closed = True
+        self._running = None
+        self._process.release()
 
     def _unfinished(self) -> bool:
-        return not self._closed and self._wanted and bool(self._pending or self._running)
+        return bool(self._waiting) or (self._running is not None and self._running.wanted)
 
-    def _work(self) -> None:
-        while True:
-            with self._change:
-                self._running = None
-                self._change.notify_all()
-                self._change.wait_for(lambda: self._closed or self._pending is not None)
-                if self._closed:
-                    return
-                request, self._pending = self._pending, None
-                self._running = request
-            assert request is not None
-            self._finish(self._attempt(request))
-
-    def _attempt(self, request: BindRequest) -> Bound | BindFailure:
-        start = time.perf_counter()
+    def _advance(self) -> None:
+        """Take an answer that has arrived, and give the process something to do."""
+        if self._closed:
+            return
         try:
-            deformer = self._build(request, self._last)
-        # The border of the thread: whatever is not carried across it would be lost unseen.
-        except Exception as error:
-            return BindFailure(request, error)
-        return Bound(request, deformer, time.perf_counter() - start)
+            answer = self._process.receive()
+            if answer is not None:
+                self._finish(answer)
+            self._replace_slow()
+            if self._running is None:
+                self._begin()
+        except ProcessDied:
+            self._revive()
 
-    def _finish(self, result: Bound | BindFailure) -> None:
-        with self._change:
+    def _begin(self) -> None:
+        job = self._next()
+        if job is not None:
+            self._running = job
+            self._process.send(job.request)
+
+    def _next(self) -> _Job | None:
+        """Binds first. A refinement that the process cannot do needs the bind in use once more."""
+        if BindRequest in self._waiting:
+            return self._waiting.pop(BindRequest)
+        job = self._waiting.get(RefineRequest)
+        if job is None:
+            return None
+        assert isinstance(job.request, RefineRequest)
+        wanted = job.request.version
+        if self._used is not None and self._used.version == wanted != self._known:
+            return _Job(self._used, wanted=False)
+        del self._waiting[RefineRequest]
+        return job if self._known == wanted else None  # None: its bind is no longer in use
+
+    def _finish(self, answer: Answer) -> None:
+        job, self._running = self._running, None
+        if job is None:
+            return
+        result = result_of(job.request, answer)
+        if isinstance(result, Bound):
+            self._known = result.request.version
+        if job.wanted:
+            self._deaths = 0
+            self._results.append(result)
             if isinstance(result, Bound):
-                self._last = result
-            if self._wanted:
-                self._result = result
+                self._used = result.request
+        elif isinstance(result, Failure) and job.request is self._used:
+            self._give_up(RefineRequest, result.error)  # it needed that bind
+
+    def _give_up(self, kind: type[Request], error: SolverError) -> None:
+        job = self._waiting.pop(kind, None)
+        if job is not None:
+            self._results.append(Failure(job.request, error))
+
+    def _abandon(self) -> None:
+        """A newer bind is asked for: nobody wants the result of an older one that runs."""
+        if self._running is not None and isinstance(self._running.request, BindRequest):
+            self._running.wanted = False
+
+    def _replace_slow(self) -> None:
+        job, following = self._running, self._waiting.get(BindRequest)
+        if job is None or job.wanted or following is None:
+            return
+        assert isinstance(following.request, BindRequest)
+        if not isinstance(job.request, BindRequest) or job.request.mesh == following.request.mesh:
+            return
+        if time.monotonic() - following.since > PATIENCE:
+            self._stop()
+
+    def _revive(self) -> None:
+        """The process is gone: start another, which gets the request again."""
+        job, worked = self._running, self._known is not None
+        self._stop()
+        if job is not None and job.wanted:
+            self._waiting.setdefault(type(job.request), job)
+        if self._waiting:
+            self._deaths += 1
+        if self._deaths >= ATTEMPTS:
+            self._deaths = 0
+            text = f"the solver stopped {ATTEMPTS} times while it worked on this"
+            for kind in (BindRequest, RefineRequest):
+                self._give_up(kind, WorkerError(text))
+            return
+        self._results.append(Restarted())
+        if self._waiting or worked:  # else it may never work: not again before it is needed
+            self._process.start()
+
+    def _stop(self) -> None:
+        self._process.stop()
+        self._running = None
+        self._known = None

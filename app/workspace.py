@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal, Protocol
+from typing import ClassVar, Literal, Protocol
 
 from app.brush import Brush, Neighbours
 from app.document import Document, Handle, clock
@@ -17,7 +17,7 @@ from app.events import Input, Ray
 from app.history import Gesture, History
 from app.picking import Hit, Picker
 from app.pose import Surface
-from app.worker import Binder
+from app.worker import Worker
 from solver.types import FloatArray
 
 
@@ -31,7 +31,9 @@ class Message:
 
 
 class Interaction(Protocol):
-    """A stroke or a drag in progress."""
+    """A stroke or a drag in progress. drags: whether it moves handles."""
+
+    drags: ClassVar[bool]
 
     def move(self, frame: Input) -> None:
         """The cursor is now there."""
@@ -56,11 +58,11 @@ class Workspace:
     def __init__(
         self,
         document: Document,
-        binder: Binder,
+        worker: Worker,
         session_path: Path | None = None,
         export_path: Path | None = None,
     ) -> None:
-        self.binder = binder
+        self.worker = worker
         self.export_path = export_path
         self.tool = "navigate"
         self.brush = Brush()
@@ -72,7 +74,7 @@ class Workspace:
     def adopt(self, document: Document, session_path: Path | None = None) -> None:
         """Show another document, with a history of its own."""
         mesh = document.mesh
-        self.binder.drop()
+        self.worker.drop()
         self.requested_version = 0
         self.bind_error = ""
         self.interaction: Interaction | None = None
@@ -110,6 +112,11 @@ class Workspace:
         interaction, self.interaction = self.interaction, None
         if interaction is not None:
             interaction.cancel()
+
+    @property
+    def dragging(self) -> bool:
+        """Whether a drag is in progress."""
+        return self.interaction is not None and self.interaction.drags
 
     def pick(self, ray: Ray) -> Hit | None:
         """The first point of the surface on screen that the ray meets."""

@@ -100,8 +100,7 @@ class Mesh:
             return plain_obj(X, self.outlines)
         users = self.source.corner_normals[self.triangle_corners]
         turned = turn_normals(self.source.normals, users, self.vertices, X, self.faces)
-        # Bit for bit: -0.0 and 0.0 are written differently.
-        moved = (X.view(np.int64) != self.vertices.view(np.int64)).any(axis=1)
+        moved = (X != self.vertices).any(axis=1)
         return rewrite_obj(self.source, X, moved, *turned)
 
 

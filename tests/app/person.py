@@ -12,7 +12,9 @@ from app.commands import Command, SetBrush, SetTool
 from app.document import Document
 from app.editor import Editor
 from app.events import Input, Ray
-from app.worker import Binder
+from app.inline import InlineWorker
+from app.requests import Request
+from app.worker import Worker
 from solver import Mesh
 from solver.types import FloatArray, IntArray
 
@@ -39,11 +41,30 @@ def slab(columns: int, rows: int, thickness: float) -> Mesh:
     return Mesh.from_arrays(V, np.vstack([F, F[:, ::-1] + n, sides]))
 
 
+class IdleWorker(InlineWorker):
+    """Never gets anywhere: as slow a bind as can be."""
+
+    binding = True
+
+    def request(self, request: Request) -> None:
+        pass
+
+    @property
+    def busy(self) -> bool:
+        return True
+
+
 class Person:
     """One editor and the eye that looks at it, from above by default."""
 
-    def __init__(self, mesh: Mesh, path: Path = Path("mesh.obj"), eye: ArrayLike = (0, 0, 60)):
-        self.editor = Editor(Document(mesh, path), Binder())
+    def __init__(
+        self,
+        mesh: Mesh,
+        path: Path = Path("mesh.obj"),
+        eye: ArrayLike = (0, 0, 60),
+        worker: Worker | None = None,
+    ) -> None:
+        self.editor = Editor(Document(mesh, path), worker or InlineWorker())
         self.centre = mesh.vertices.mean(axis=0)
         self.eye = self.centre + np.asarray(eye, dtype=float)
 

@@ -9,11 +9,11 @@ import pytest
 from app import commands as c
 from app.binding import BindError
 from app.document import Document
-from app.editor import HANDLERS, Editor
+from app.editor import HANDLERS
+from app.requests import BindRequest
 from app.tools import TOOLS
-from app.worker import Binder, BindRequest
 from solver import Mesh
-from tests.app.person import Person, sheet, slab, state
+from tests.app.person import IdleWorker, Person, sheet, slab, state
 
 OFF_THE_MESH = [30.0, 2.0, 0.0]
 
@@ -191,20 +191,8 @@ def test_the_hint_names_what_is_missing(bar: Person) -> None:
     assert editor.hint == "Press on a handle and drag"
 
 
-class SlowBinder(Binder):
-    """Never gets anywhere."""
-
-    def request(self, request: BindRequest) -> None:
-        pass
-
-    @property
-    def busy(self) -> bool:
-        return True
-
-
 def test_the_hint_says_that_a_bind_is_running() -> None:
-    person = Person(slab(20, 4, 2.0))
-    person.editor = Editor(person.editor.document, SlowBinder())
+    person = Person(slab(20, 4, 2.0), worker=IdleWorker())
     person.use("handle", 2)
     person.stroke([10, 2, 0])
     assert person.editor.hint == "Binding ..."
@@ -214,7 +202,7 @@ def test_a_bind_is_asked_for_when_a_stroke_ends_and_only_if_it_matters(
     ready: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked: list[BindRequest] = []
-    monkeypatch.setattr(ready.editor.binder, "request", asked.append)
+    monkeypatch.setattr(ready.editor.worker, "request", asked.append)
     ready.use("fixed", 1)
     for _ in ready.hold([[5, 2, 0], [6, 2, 0]]):
         assert not asked

@@ -8,8 +8,13 @@ from pathlib import Path
 
 import pytest
 
+from tests.app.person import slab
+
 from .display import VirtualDisplay
-from .person import Person
+from .person import ROOT, Person
+from .scene import Scene
+
+Opener = Callable[..., Person]
 
 
 @pytest.fixture(scope="session")
@@ -24,7 +29,7 @@ def display(tmp_path_factory: pytest.TempPathFactory) -> Iterator[VirtualDisplay
 
 
 @pytest.fixture
-def open_window(display: VirtualDisplay, tmp_path: Path) -> Iterator[Callable[..., Person]]:
+def open_window(display: VirtualDisplay, tmp_path: Path) -> Iterator[Opener]:
     """`open_window(*arguments)` starts `python -m app ARGUMENTS` in `tmp_path`."""
     people: list[Person] = []
 
@@ -35,3 +40,43 @@ def open_window(display: VirtualDisplay, tmp_path: Path) -> Iterator[Callable[..
     yield open_window
     for person in people:
         person.leave()
+        assert "Traceback" not in person.output()
+
+
+@pytest.fixture
+def mannequin(open_window: Opener, tmp_path: Path) -> Scene:
+    """The default mesh, nothing painted."""
+    return opened(open_window, asset("mannequin.obj", tmp_path))
+
+
+@pytest.fixture
+def dog(open_window: Opener, tmp_path: Path) -> Scene:
+    """Quads with texture coordinates, normals and groups, nothing painted."""
+    return opened(open_window, asset("dog.obj", tmp_path))
+
+
+@pytest.fixture
+def ready(open_window: Opener, tmp_path: Path) -> Scene:
+    """The default session: the body fixed, the hand a handle, the elbow soft; bound."""
+    mesh, session = (asset(f"mannequin{end}", tmp_path) for end in (".obj", "-elbow.json"))
+    person = open_window("--session", session.name, "--export", "out.obj")
+    scene = Scene(person, mesh, session, tmp_path / "out.obj")
+    scene.save_mesh()
+    return scene
+
+
+@pytest.fixture
+def plate(open_window: Opener, tmp_path: Path) -> Scene:
+    """A thin slab seen from above; the vertices of its upper side come first."""
+    mesh = slab(20, 8, 0.2)
+    mesh.save(tmp_path / "plate.obj", mesh.vertices)
+    return opened(open_window, tmp_path / "plate.obj")
+
+
+def asset(name: str, folder: Path) -> Path:
+    return Path(shutil.copy(ROOT / "assets" / name, folder))
+
+
+def opened(open_window: Opener, mesh: Path) -> Scene:
+    person = open_window(mesh.name, "--export", "out.obj")
+    return Scene(person, mesh, mesh.with_suffix(".json"), mesh.with_name("out.obj"))

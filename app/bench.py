@@ -1,0 +1,81 @@
+"""Where requests are met: keeps the deformer of the last bind and works with it.
+
+Binding is everything between a finished stroke and a surface that can be dragged.
+"""
+
+from __future__ import annotations
+
+import time
+import traceback
+from typing import Any
+
+import numpy as np
+
+from app.requests import Answer, BindRequest, RefineRequest, Request, WorkerError
+from solver import Deformer
+from solver.drag import DragModel
+from solver.errors import SolverError
+from solver.types import FloatArray
+
+# What `Deformer` takes beside the mesh, and `Deformer.rebind` where it differs.
+ARGUMENTS = ("fixed", "handles", "softness", "material", "bending_length", "orientation")
+Last = tuple[BindRequest, Deformer]
+
+
+def bind(request: BindRequest, last: Last | None = None) -> Deformer:
+    """The deformer for a request, sharing what it can with the last one of the same mesh."""
+    arguments = {name: getattr(request, name) for name in ARGUMENTS}
+    if last is None or last[0].mesh != request.mesh:
+        deformer = Deformer(request.vertices, request.faces, **arguments)
+    else:
+        before, shared = last
+        deformer = shared.rebind(
+            **{
+                name: value
+                for name, value in arguments.items()
+                if not _same(value, getattr(before, name))
+            }
+        )
+    # What the first pose of a level prepares belongs to the bind, not to the first drag frame.
+    deformer.pose([np.eye(4)] * len(request.handles), rigid=request.rigid)
+    return deformer
+
+
+def _same(one: Any, two: Any) -> bool:
+    if isinstance(one, tuple):
+        return len(one) == len(two) and all(map(np.array_equal, one, two))
+    return bool(np.array_equal(one, two)) if isinstance(one, np.ndarray) else bool(one == two)
+
+
+class Bench:
+    """Meets one request after the other. A bind that fails leaves the last one in use."""
+
+    def __init__(self) -> None:
+        self._last: Last | None = None
+
+    def answer(self, request: Request) -> Answer:
+        """Do what is asked; whatever goes wrong is the answer."""
+        start = time.perf_counter()
+        value: DragModel | FloatArray | SolverError
+        try:
+            if isinstance(request, BindRequest):
+                value = self._bind(request)
+            else:
+                value = self._refine(request)
+        except SolverError as error:
+            value = error
+        # The border of the process: whatever is not carried across it would be lost unseen.
+        except Exception as error:
+            traceback.print_exc()
+            value = WorkerError(f"{type(error).__name__}: {error}")
+        return Answer(value, time.perf_counter() - start)
+
+    def _bind(self, request: BindRequest) -> DragModel:
+        deformer = bind(request, self._last)
+        self._last = request, deformer
+        return deformer.drag_model
+
+    def _refine(self, request: RefineRequest) -> FloatArray:
+        if self._last is None or self._last[0].version != request.version:
+            raise WorkerError(f"bind {request.version} is asked for, which is not the last one")
+        return self._last[1].pose(list(request.transforms), rigid=request.rigid)

@@ -1,0 +1,85 @@
+"""The panel beside the scene: shows what the Editor holds and returns what the person asks for."""
+
+from __future__ import annotations
+
+import polyscope.imgui as psim
+
+from app import commands as c
+from app.colors import MAPS
+from app.editor import Editor
+from app.input import SHORTCUTS
+from app.panel.files import FileRows
+from app.panel.regions import regions
+from app.panel.settings import pose, soft_parts
+from app.panel.tools import choose_tool, status, tool_options
+from app.panel.widgets import ERROR_COLOR, WIDTH
+
+__all__ = ["ERROR_COLOR", "WIDTH", "Panel"]
+
+SECTIONS = (status, choose_tool, tool_options, regions, soft_parts, pose)
+PLACE = (
+    psim.ImGuiWindowFlags_NoTitleBar
+    | psim.ImGuiWindowFlags_NoResize
+    | psim.ImGuiWindowFlags_NoMove
+    | psim.ImGuiWindowFlags_NoCollapse
+    | psim.ImGuiWindowFlags_NoBringToFrontOnFocus
+)
+HELP = (
+    "Paint what stays (2), what you move (3), where it bends (4); then drag (5).",
+    "Left drag beside the surface or with Navigate orbits, right drag pans,",
+    "the wheel zooms. Shift while painting erases.",
+)
+
+
+class Panel:
+    """Holds nothing but switches of the window itself: show_edges, show_help.
+
+    files: the rows that open and save.
+    """
+
+    def __init__(self) -> None:
+        self.show_edges = False
+        self.show_help = False
+        self.files = FileRows()
+
+    def draw(self, editor: Editor) -> list[c.Command]:
+        """Draw the panel; the commands of what was pressed, moved or typed in this frame."""
+        asked: list[c.Command] = []
+        psim.SetNextWindowPos((0.0, 0.0))
+        psim.SetNextWindowSize((WIDTH, psim.GetIO().DisplaySize[1]))
+        psim.SetNextWindowBgAlpha(1.0)
+        psim.Begin("##panel", PLACE)
+        try:
+            psim.PushItemWidth(-110.0)
+            for section in SECTIONS:
+                section(editor, asked)
+            self._colours(editor, asked)
+            self.files.draw(editor, asked)
+            psim.PopItemWidth()
+        finally:
+            psim.End()
+        if self.show_help:
+            self._help()
+        return asked
+
+    def _colours(self, editor: Editor, asked: list[c.Command]) -> None:
+        psim.SeparatorText("Colours")
+        for name in MAPS:
+            if psim.RadioButton(name.capitalize(), editor.map == name):
+                asked.append(c.SetMap(name))
+            psim.SameLine()
+        _, self.show_edges = psim.Checkbox("Edges", self.show_edges)
+
+    def _help(self) -> None:
+        psim.SetNextWindowPos((WIDTH + 30.0, 30.0), psim.ImGuiCond_FirstUseEver)
+        _, self.show_help = psim.Begin("Help", True, psim.ImGuiWindowFlags_AlwaysAutoResize)
+        try:
+            for line in HELP:
+                psim.Text(line)
+            psim.Separator()
+            for shortcut in SHORTCUTS:
+                psim.Text(shortcut.keys)
+                psim.SameLine(130.0)
+                psim.Text(shortcut.meaning)
+        finally:
+            psim.End()

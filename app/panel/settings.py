@@ -1,0 +1,67 @@
+"""The settings: material, bending length, pose."""
+
+from __future__ import annotations
+
+import polyscope.imgui as psim
+
+from app import commands as c
+from app.editor import Editor
+from app.panel.widgets import disabled, logarithmic
+from solver.material import PRESETS, Material, resolve_material
+
+SMALLEST_GAIN, LARGEST_GAIN = 0.01, 10.0
+SHORTEST_BEND, LONGEST_BEND = 1e-3, 0.3
+HIGHEST_RIGID = 10
+
+
+def soft_parts(editor: Editor, asked: list[c.Command]) -> None:
+    """Preset, gains and bending length."""
+    psim.SeparatorText("Soft parts")
+    document = editor.document
+    names = [*PRESETS, "custom"]
+    material = document.material
+    chosen = names.index("custom" if isinstance(material, Material) else material)
+    changed, index = psim.Combo("material", chosen, names)
+    gains = resolve_material(material)
+    if changed:
+        asked.append(c.SetMaterial(gains if names[index] == "custom" else names[index]))
+    if not psim.TreeNode("gains and bending length"):
+        return
+    for label in ("bending", "stretching"):
+        moved, gain = logarithmic(
+            f"{label} gain", getattr(gains, label), SMALLEST_GAIN, LARGEST_GAIN
+        )
+        if moved:
+            asked.append(c.SetMaterial(Material(**{**vars(gains), label: gain})))
+    moved, length = logarithmic("bend length", document.bending_length, SHORTEST_BEND, LONGEST_BEND)
+    psim.SetItemTooltip("How far a bend spreads, in diagonals of the mesh")
+    if moved:
+        asked.append(c.SetSetting("bending_length", length))
+    psim.TreePop()
+
+
+def pose(editor: Editor, asked: list[c.Command]) -> None:
+    """Rigid level, orientation, reset, undo and redo."""
+    psim.SeparatorText("Pose")
+    document = editor.document
+    moved, rigid = psim.SliderInt("rigid", document.rigid, 0, HIGHEST_RIGID)
+    psim.SetItemTooltip("0: linear, shrinks in large turns. 1: keeps lengths. More: rounds of both")
+    if moved:
+        asked.append(c.SetSetting("rigid", rigid))
+    changed, on = psim.Checkbox("handles hold orientation", document.orientation)
+    if changed:
+        asked.append(c.SetSetting("orientation", on))
+    if psim.Button("Reset pose (R)"):
+        asked.append(c.ResetPose())
+    psim.SameLine()
+    for label, command, entries in (
+        ("Undo", c.Undo(), editor.history.done),
+        ("Redo", c.Redo(), editor.history.undone),
+    ):
+        with disabled(not entries):
+            if psim.Button(label):
+                asked.append(command)
+            if entries:
+                psim.SetItemTooltip(entries[-1].label)
+        psim.SameLine()
+    psim.NewLine()

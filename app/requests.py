@@ -1,0 +1,145 @@
+"""What the window asks of the solver and what comes back: plain immutable data."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from solver.drag import DragModel
+from solver.errors import SolverError
+from solver.material import Material
+from solver.types import FloatArray, IntArray
+
+if TYPE_CHECKING:  # the solver's process has no use for the rest of the application
+    from app.document import Document
+
+
+class WorkerError(SolverError):
+    """The solver's process did not do what it was asked."""
+
+
+@dataclass(frozen=True, eq=False)
+class BindRequest:
+    """A snapshot of all that binding depends on.
+
+    version: of the document it was taken from. mesh: a number that names the mesh.
+    keys: (h,) of the handles that have vertices, in the order of `handles` (index arrays).
+    rigid: the level that the surface will be posed at, to be made ready.
+    """
+
+    version: int
+    mesh: int
+    keys: tuple[int, ...]
+    vertices: FloatArray
+    faces: IntArray
+    fixed: IntArray
+    handles: tuple[IntArray, ...]
+    softness: FloatArray
+    material: str | Material
+    bending_length: float
+    orientation: bool
+    rigid: int
+
+    @staticmethod
+    def of(document: Document) -> BindRequest:
+        """The snapshot of a document; handles without a vertex stay out."""
+        regions = {handle.key: document.vertices_of(handle.key) for handle in document.handles}
+        regions = {key: vertices for key, vertices in regions.items() if len(vertices)}
+        return BindRequest(
+            version=document.bind_version,
+            mesh=document.serial,
+            keys=tuple(regions),
+            vertices=document.mesh.vertices,
+            faces=document.mesh.faces,
+            fixed=document.fixed,
+            handles=tuple(regions.values()),
+            softness=document.softness.copy(),
+            material=document.material,
+            bending_length=document.bending_length,
+            orientation=document.orientation,
+            rigid=document.rigid,
+        )
+
+    @property
+    def answer_size(self) -> int:
+        """Bytes that are enough for the arrays of the answer."""
+        handles = len(self.handles)
+        return len(self.vertices) * (24 + 8 + 32 * handles) + 128 * handles**2 + 4096
+
+
+@dataclass(frozen=True, eq=False)
+class RefineRequest:
+    """Positions at a rigid level of 1 or more.
+
+    version: of the bind they are for.  transforms: (h, 4, 4).  vertex_count: n.
+    """
+
+    version: int
+    transforms: FloatArray
+    rigid: int
+    vertex_count: int
+
+    @property
+    def answer_size(self) -> int:
+        """Bytes that are enough for the arrays of the answer."""
+        return 24 * self.vertex_count + 4096
+
+
+Request = BindRequest | RefineRequest
+
+
+@dataclass(frozen=True, eq=False)
+class Answer:
+    """What became of a request, and the seconds it took.
+
+    value: a DragModel for a bind, positions (n, 3) for a refinement, or what went wrong.
+    """
+
+    value: DragModel | FloatArray | SolverError
+    seconds: float
+
+
+@dataclass(frozen=True, eq=False)
+class Bound:
+    """A finished bind. seconds: how long it took."""
+
+    request: BindRequest
+    model: DragModel
+    seconds: float
+
+
+@dataclass(frozen=True, eq=False)
+class Refined:
+    """Positions (n, 3) that were asked for. seconds: how long they took."""
+
+    request: RefineRequest
+    positions: FloatArray
+    seconds: float
+
+
+@dataclass(frozen=True, eq=False)
+class Failure:
+    """A request that could not be met."""
+
+    request: Request
+    error: SolverError
+
+
+@dataclass(frozen=True)
+class Restarted:
+    """The solver's process ended by itself, and another one has taken over its work."""
+
+
+Result = Bound | Refined | Failure | Restarted
+
+
+def result_of(request: Request, answer: Answer) -> Result:
+    """An answer together with what was asked."""
+    value = answer.value
+    if isinstance(value, SolverError):
+        return Failure(request, value)
+    if isinstance(request, BindRequest):
+        assert isinstance(value, DragModel)
+        return Bound(request, value, answer.seconds)
+    assert not isinstance(value, DragModel)
+    return Refined(request, value, answer.seconds)
