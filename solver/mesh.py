@@ -100,7 +100,7 @@ class Mesh:
             return plain_obj(X, self.outlines)
         users = self.source.corner_normals[self.triangle_corners]
         turned = turn_normals(self.source.normals, users, self.vertices, X, self.faces)
-        moved = (X != self.vertices).any(axis=1)
+        moved = (self.vertices != X).any(axis=1)
         return rewrite_obj(self.source, X, moved, *turned)
 
 
