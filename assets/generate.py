@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from assets import figure
+from assets.cactus import cactus
 from assets.elbow import session_text
 from assets.objtext import quad_text, triangle_text
 from assets.primitives import bar, bumpy_plane, cylinder
@@ -38,6 +39,13 @@ def arm() -> tuple[FloatArray, IntArray]:
     return V - [V[:, 0].min(), *AXIS], F
 
 
+def plant() -> tuple[FloatArray, IntArray]:
+    """The cactus, with even triangles."""
+    field = cactus()
+    V, F = polygonise(field, (-0.80, -0.05, -0.40), (0.85, 2.15, 0.40), 0.02)
+    return remesh(field, V, F, 0.0316, ())
+
+
 def write(name: str, text: str) -> None:
     (FOLDER / name).write_text(text, encoding="ascii", newline="\n")
 
@@ -51,6 +59,7 @@ def main() -> None:
     write("bar.obj", triangle_text("A bar of square section, along x", *bar()))
     write("cylinder.obj", triangle_text("A closed cylinder, along x", *cylinder()))
     write("bumpy_plane.obj", triangle_text("An open square sheet with bumps, y up", *bumpy_plane()))
+    write("cactus.obj", triangle_text("A cactus with two arms, y up", *plant()))
     write("dog.obj", quad_text("A toy dog of quads with UVs, normals and groups", dog()))
 
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-import igl
 import numpy as np
 
-from benchmarks.timing import seconds, table
+from benchmarks.peers import Arap
+from benchmarks.timing import medians, seconds, table
 from solver import Deformer, Mesh, load_mesh
 from solver.types import FloatArray, IntArray
 
@@ -79,18 +78,7 @@ def measure_arap(scene: Scene) -> dict[str, float]:
     grabbed, target = scene.target
     goal = V[held].copy()
     goal[len(scene.fixed) :] += target - grabbed
-
-    def prepare() -> Any:
-        data = igl.ARAPData()
-        data.max_iter = 10
-        igl.arap_precomputation(V, F, 3, held, data)
-        return data
-
-    data = prepare()
-    return {
-        "libigl ARAP, precomputation": seconds(prepare, 3),
-        "libigl ARAP, 10 iterations": seconds(lambda: igl.arap_solve(goal, data, V), 3),
-    }
+    return medians(Arap(V, F, held, goal).tasks(), 3)
 
 
 def main() -> None:

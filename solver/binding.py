@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -39,7 +39,10 @@ class Options:
 
 @dataclass(frozen=True)
 class Binding:
-    """One factorisation and what hangs on it."""
+    """One factorisation and what hangs on it.
+
+    options: with the bending length that the mesh resolves, see RestEnergy.resolved.
+    """
 
     shape: RestShape
     options: Options
@@ -55,6 +58,7 @@ def bind(shape: RestShape, options: Options, earlier: Binding | None = None) -> 
     earlier: a binding of the same shape; what has not changed since then is shared.
     """
     topology = shape.topology
+    options = replace(options, bending_length=shape.energy.resolved(options.bending_length))
     if options.edge_gains is not None:
         gains = explicit_gains(topology, options.edge_gains)
     else:

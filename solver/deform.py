@@ -18,7 +18,7 @@ from solver.errors import ConstraintError
 from solver.material import EdgeGains, Material
 from solver.orientation import rigid_fit
 from solver.response import soften
-from solver.rotations import Rigidity
+from solver.rigidity import Rigidity
 from solver.shape import RestShape
 from solver.soft import Moments, SoftHandle, grab_region
 from solver.types import FloatArray

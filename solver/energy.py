@@ -20,6 +20,7 @@ from solver.weights import (
     bending_weights,
     half_edge_cotangents,
     stretching_weights,
+    typical_edge,
 )
 
 # The gains (beta, sigma) of each edge, (e,) each.
@@ -53,7 +54,16 @@ class RestEnergy:
     def __init__(self, P: FloatArray, topology: Topology) -> None:
         self._topology = topology
         self.vectors = half_edge_vectors(P, topology.faces)
-        self._rest = rest_weights(np.linalg.norm(self.vectors, axis=2), topology.pairs)
+        self._lengths = np.linalg.norm(self.vectors, axis=2)
+        self._rest = rest_weights(self._lengths, topology.pairs)
+
+    def resolved(self, bending_length: float) -> float:
+        """The bending length that this mesh can tell from zero: at least an edge.
+
+        Frames are constant on a triangle. With a shorter l the step between a held frame and
+        the next costs too little, and a coarse mesh shears where a fine one bends.
+        """
+        return max(bending_length, typical_edge(self._lengths))
 
     def weights(self, bending_length: float, gains: Gains) -> ElementWeights:
         """With l and the material. A pinch joins with the weight of a regular, rigid edge."""

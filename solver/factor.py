@@ -7,6 +7,7 @@ An Analysis is made once for a pattern of entries, a Factor for each set of valu
 from __future__ import annotations
 
 import threading
+import weakref
 from typing import Any, Protocol
 
 import numpy as np
@@ -111,7 +112,8 @@ class _Cholmod:
             self._source = np.array(self._matrix.V, dtype=np.int64).ravel() - 1
         self.shared = _symbolic(self._matrix, order)
         self.lock = threading.Lock()
-        self._owner: _CholmodFactor | None = None
+        # Weak: a factor holds its analysis, and a circle would keep both until Python looks for it.
+        self._owner: weakref.ref[_CholmodFactor] | None = None
         self._size = size
 
     def factor(self, values: FloatArray) -> _CholmodFactor:
@@ -126,7 +128,7 @@ class _Cholmod:
 
     def load(self, factor: _CholmodFactor) -> None:
         """Make the numbers those of `factor`; to be called with the lock held."""
-        if self._owner is factor:
+        if self._owner is not None and self._owner() is factor:
             return
         self._owner = None
         self._matrix.V = cvxopt.matrix(factor.values)
@@ -137,7 +139,7 @@ class _Cholmod:
                 f"the {self._size} x {self._size} system is not positive definite "
                 f"(column {failure})"
             ) from failure
-        self._owner = factor
+        self._owner = weakref.ref(factor)
 
 
 class _CholmodFactor:

@@ -1,25 +1,15 @@
-"""Nearest rotations, and the Poisson problem that turns rotations into positions."""
+"""Rotations of many triangles at once: the nearest ones, and small turns of them."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
-import scipy.sparse as sp
 
-from solver.constraints import Constraints
-from solver.factor import factorize
-from solver.shape import RestShape
-from solver.soft import Moments, SoftHandle
-from solver.system import System
-from solver.types import FloatArray, IntArray
+from solver.types import FloatArray
 
 NEWTON_STEPS = 12
 # Where the best and the second best rotation come this close, the quartic's largest root is nearly
 # multiple: Newton's steps, slow there, stop short of it.
 AMBIGUOUS = 1e-2
-# l_r, the weight of neighbouring rotations in a round, in bounding-box diagonals.
-ROTATION_LENGTH = 3e-4
 
 
 def nearest_rotations(A: FloatArray) -> FloatArray:
@@ -60,78 +50,21 @@ def _nearest_by_svd(A: FloatArray) -> FloatArray:
     return R
 
 
-class Rigidity:
-    """Positions from rotations, and rounds of both.
-
-        argmin_X 1/2 sum w_eT sigma_e ||x_b - x_a - R_T (p_b - p_a)||^2
-
-    with held vertices at their targets and the moments of soft handles met. Its matrix is the
-    vertex block of K, its right-hand side the vertex-frame block: no second assembly.
-    """
-
-    def __init__(
-        self,
-        shape: RestShape,
-        constraints: Constraints,
-        system: System,
-        grabs: Sequence[SoftHandle],
-        bending_length: float,
-    ) -> None:
-        n = len(shape.vertices)
-        K = system.matrix()
-        self._n = n
-        self._free = constraints.free[constraints.free < n]
-        # Rotations are wanted where they matter: on triangles that something can strain.
-        active = system.active
-        self._frames = (n + 3 * active[:, None] + np.arange(3)).ravel()
-        rows = K[self._free]
-        self._factor = factorize(rows[:, self._free])
-        self._rows = sp.csr_array(sp.hstack([rows[:, :n], rows[:, self._frames]]))
-        # Held, carried and resting frames are right already: a round leaves them alone.
-        turning = constraints.free[constraints.free >= n]
-        self._turning = np.searchsorted(active, (turning[::3] - n) // 3)
-        self._local = -K[turning][:, :n]
-        self._neighbours = _neighbour_weights(
-            K[turning[::3]][:, self._frames[::3]], self._turning, bending_length
-        )
-        C = np.hstack(
-            [np.empty((len(self._free), 0)), *(g.moments[: len(self._free)] for g in grabs)]
-        )
-        self._moments = Moments(C, self._factor.solve(C))
-
-    def refine(self, U: FloatArray, rounds: int) -> FloatArray:
-        """Rows U (n + 3m, 3) of the linear result become positions (n, 3).
-
-        One round takes the nearest rotation of every frame and solves for positions; each
-        further round fits the rotations to those positions first.
-        """
-        n = self._n
-        moments = self._moments.of(U[self._free])
-        R = nearest_rotations(U[self._frames].reshape(-1, 3, 3))
-        X = self._positions(U[:n], R, moments)
-        for _ in range(rounds - 1):
-            fit = (self._local @ X).reshape(-1, 3, 3)
-            fit += (self._neighbours @ R.reshape(-1, 9)).reshape(-1, 3, 3)
-            R[self._turning] = nearest_rotations(fit)
-            X = self._positions(X, R, moments)
-        return X
-
-    def _positions(self, X: FloatArray, R: FloatArray, moments: FloatArray) -> FloatArray:
-        X = X.copy()
-        X[self._free] = 0.0
-        rows = np.vstack([X, R.reshape(-1, 3)])
-        X[self._free] = self._moments.meet(-self._factor.solve(self._rows @ rows), moments)
-        return X
+def turned(rows: FloatArray, w: FloatArray) -> FloatArray:
+    """Each row v of rows (m, 3, 3) as exp([w]) v: turned about w (m, 3) by |w| radians."""
+    v, axis = _columns(rows), np.ascontiguousarray(w.T)[:, None, :]
+    angle = np.sqrt((axis**2).sum(axis=0))
+    once = _cross(axis, v)
+    twice = _cross(axis, once)
+    v += np.sinc(angle / np.pi) * once + 0.5 * np.sinc(0.5 * angle / np.pi) ** 2 * twice
+    return v.transpose(2, 1, 0)
 
 
-def _neighbour_weights(
-    frame_rows: sp.csr_array, own: IntArray, bending_length: float
-) -> sp.csr_array:
-    """l_r^2 w_e^-1 beta_e between some triangles and their neighbours.
+def torques(rows: FloatArray, pull: FloatArray) -> FloatArray:
+    """(m, 3) the sum over rows of row x pull: d/dw of <pull, turned(rows, w)> at w = 0."""
+    return np.ascontiguousarray(_cross(_columns(rows), _columns(pull)).sum(axis=1).T)
 
-    frame_rows: one axis of the frames in K.  own: the column of each row's own triangle.
-    """
-    across = sp.coo_array(frame_rows)
-    row, column = across.coords
-    across.data[own[row] == column] = 0.0
-    return sp.csr_array(across * -((ROTATION_LENGTH / bending_length) ** 2))
+
+def _columns(rows: FloatArray) -> FloatArray:
+    """(3, 3, m): coordinates first, then rows, for arithmetic on whole columns."""
+    return np.array(rows.transpose(2, 1, 0), order="C")

@@ -50,9 +50,24 @@ def bending_weights(
     first: tuple[IntArray, IntArray],
     second: tuple[IntArray, IntArray],
 ) -> FloatArray:
-    """w_e = (cot alpha + cot beta) / 2 of each two neighbours, (p,), clamped to positive values.
+    """w_e = (cot alpha + cot beta) / 2 of each two neighbours, (p,), bounded from below.
+
+    w_e is at least the reciprocal of the sum of a triangle's three cotangents (the mean of the
+    two triangles'), which for regular triangles is w_e itself. Without a bound the halves of a
+    right-angled grid's square would share one frame, while the gradients of x in them differ
+    by the curvature times an edge: a cost of bending that neither l nor a gain could lower.
 
     first, second: (triangle, half-edge) indices of the two sides.
     """
     mean = 0.5 * (cotangents[first] + cotangents[second])
-    return np.clip(mean, SMALLEST, LARGEST)
+    total = cotangents.sum(axis=1)
+    bound = 2.0 / (total[first[0]] + total[second[0]])
+    return np.clip(np.maximum(mean, bound), SMALLEST, LARGEST)
+
+
+def typical_edge(lengths: FloatArray) -> float:
+    """h: the median over triangles of their root mean square edge, from lengths (m, 3).
+
+    The median, because a few large triangles, a floor under a figure, must not count for all.
+    """
+    return float(np.sqrt(np.median((lengths**2).mean(axis=1)))) if len(lengths) else 0.0

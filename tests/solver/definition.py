@@ -3,6 +3,8 @@
     E = l^2/2 sum w_e^-1 beta_e  ||G_j - G_i||^2
         + 1/2 sum w_eT   sigma_e ||x_b - x_a - G_T (p_b - p_a)||^2
 
+    w_e >= 2 / (sum of all six cotangents of the two triangles)
+
 Plain loops, angles from coordinates, nothing of the solver's own.
 """
 
@@ -31,6 +33,7 @@ class Definition:
         self._weights: list[float] = []
         gains = gains or {}
         sides: dict[tuple[int, int], list[tuple[int, float]]] = defaultdict(list)
+        total = [sum_of_cotangents(*V[f]) for f in F]
         for t, (i, j, k) in enumerate(F.tolist()):
             for a, b, c in ((i, j, k), (j, k, i), (k, i, j)):
                 cot = cotangent(V[a] - V[c], V[b] - V[c])
@@ -39,7 +42,7 @@ class Definition:
                 self._stretch(V, t, a, b, clamp(cot) * gains.get(edge, (1.0, 1.0))[1])
         for edge, around in sides.items():
             for (t, cot_t), (u, cot_u) in combinations(around, 2):
-                w = clamp((cot_t + cot_u) / 2) * (len(around) - 1)
+                w = clamp(max((cot_t + cot_u) / 2, 2 / (total[t] + total[u]))) * (len(around) - 1)
                 self._bend(t, u, bending_length**2 / w * gains.get(edge, (1.0, 1.0))[0])
         rows = np.repeat(np.arange(len(self._rows)), [len(r[0]) for r in self._rows])
         columns = [column for row in self._rows for column in row[0]]
@@ -76,6 +79,17 @@ def stack(X: FloatArray, G: FloatArray) -> FloatArray:
 def cotangent(u: FloatArray, v: FloatArray) -> float:
     area = float(np.linalg.norm(np.cross(u, v)))
     return float(u @ v) / area
+
+
+def resolved(V: FloatArray, F: IntArray, bending_length: float = 0.01) -> float:
+    """l in the units of V: in diagonals as given, at least the edge of a typical triangle."""
+    squares = [sum(float(e @ e) for e in V[f] - V[np.roll(f, 1)]) / 3 for f in F]
+    diagonal = np.linalg.norm(np.ptp(V, axis=0))
+    return float(max(bending_length * diagonal, np.sqrt(np.median(squares))))
+
+
+def sum_of_cotangents(a: FloatArray, b: FloatArray, c: FloatArray) -> float:
+    return cotangent(b - a, c - a) + cotangent(c - b, a - b) + cotangent(a - c, b - c)
 
 
 def clamp(weight: float) -> float:

@@ -22,7 +22,7 @@ from solver.weights import (
     stretching_weights,
 )
 from tests.solver import shapes
-from tests.solver.definition import Definition, Gains, stack
+from tests.solver.definition import Definition, Gains, resolved, stack
 from tests.solver.test_forms import SURFACES
 
 L = 0.3
@@ -106,7 +106,7 @@ def test_the_gradient_vanishes_at_a_pose(orientation: bool) -> None:
     )
     T = shapes.motion(shapes.rotation([1, 2, 3], 70), [0.5, 1, -2], [3, 1, 1])
     U = stack(deformer.pose([T]), deformer.frames([T]))
-    definition = Definition(V, F, 0.01 * shapes.size(V), gains)
+    definition = Definition(V, F, resolved(V, F), gains)
     held = [np.isin(F, group).all(axis=1) & orientation for group in (left, right)]
     free = np.concatenate(
         [~np.isin(np.arange(len(V)), [*left, *right]), np.repeat(~(held[0] | held[1]), 3)]
@@ -121,7 +121,7 @@ def test_the_gradient_vanishes_at_solve() -> None:
     X = Deformer(V, F, left, [right], orientation=False).solve(targets)
     np.testing.assert_array_equal(X[left], V[left])
     np.testing.assert_allclose(X[right], targets, atol=1e-12)
-    definition = Definition(V, F, 0.01 * shapes.size(V))
+    definition = Definition(V, F, resolved(V, F))
     K = sp.csc_array(definition.D.T @ (definition.w[:, None] * definition.D.toarray()))
     n = len(V)
     rows = spsolve(K[n:][:, n:], -(K[n:][:, :n] @ X))  # the frames that suit X best

@@ -10,7 +10,7 @@ import pytest
 from solver import ConstraintError, Deformer
 from solver.types import FloatArray
 from tests.solver import shapes
-from tests.solver.definition import Definition, stack
+from tests.solver.definition import Definition, resolved, stack
 from tests.solver.shapes import motion, moved, rotation
 
 LEVELS = [0, 1, 3]
@@ -61,7 +61,7 @@ def test_no_other_surface_with_these_moments_has_less_energy(handles: list[Any])
     deformer = Deformer(V, F, FIXED, handles).grab(weights)
     posed = [HAND] * len(handles) + [T]
     U = stack(deformer.pose(posed), deformer.frames(posed))
-    definition = Definition(V, F, 0.01 * shapes.size(V))
+    definition = Definition(V, F, resolved(V, F))
     held = [FIXED, *handles]
     vertex_free = ~np.isin(np.arange(len(V)), np.concatenate(held))
     face_free = ~np.any([np.isin(F, h).all(axis=1) for h in held], axis=0)

@@ -1,18 +1,28 @@
-"""The rigid levels against a plain version of themselves: loops, dense matrices, the SVD."""
+"""The rigid levels: the first against a plain version of itself, the further ones by their laws."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from solver import Deformer
+from solver.binding import Options, bind
+from solver.rigidity import Rigidity, State
+from solver.rotations import nearest_rotations
+from solver.shape import RestShape
+from solver.shell import ROTATION_LENGTH
+from solver.stencil import deformation_matrix
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
 from tests.solver.definition import clamp, cotangent
-from tests.solver.shapes import motion, rotation
+from tests.solver.shapes import motion, moved, rotation, size
 
-ROTATION_LENGTH = 3e-4
 V, F = shapes.bumpy_plane(7)
+FIXED = np.flatnonzero(V[:, 0] < 2)
+LEVELS = (2, 4, 9)
 
 
 def nearest(A: FloatArray) -> FloatArray:
@@ -24,19 +34,6 @@ def half_edges() -> list[tuple[int, int, int, float]]:
     """(triangle, a, b, cotangent) of every half-edge."""
     corners = [(t, f[i - 2], f[i - 1], f[i]) for t, f in enumerate(F.tolist()) for i in range(3)]
     return [(t, a, b, cotangent(V[a] - V[c], V[b] - V[c])) for t, a, b, c in corners]
-
-
-def neighbours() -> list[tuple[int, int, float]]:
-    """(triangle, triangle, w_e^-1) of every two that share an edge."""
-    sides: dict[tuple[int, int], tuple[int, float]] = {}
-    found = []
-    for t, a, b, cot in half_edges():
-        edge = (min(a, b), max(a, b))
-        if edge in sides:
-            other, cot_other = sides[edge]
-            found.append((other, t, 1 / clamp((cot + cot_other) / 2)))
-        sides[edge] = (t, cot)
-    return found
 
 
 def poisson(R: FloatArray, X: FloatArray, free: IntArray) -> FloatArray:
@@ -53,34 +50,176 @@ def poisson(R: FloatArray, X: FloatArray, free: IntArray) -> FloatArray:
     return X
 
 
-def refined(
-    G: FloatArray, X: FloatArray, free: IntArray, turning: np.ndarray, k: int
-) -> FloatArray:
-    R = np.stack([nearest(g) for g in G])
-    X = poisson(R, X, free)
-    length = ROTATION_LENGTH * shapes.size(V)
-    for _ in range(k - 1):
-        fit = np.zeros_like(R)
-        for t, a, b, cot in half_edges():
-            fit[t] += clamp(cot) * np.outer(X[b] - X[a], V[b] - V[a])
-        for t, u, w in neighbours():
-            fit[t] += length**2 * w * R[u]
-            fit[u] += length**2 * w * R[t]
-        R[turning] = [nearest(A) for A in fit[turning]]
-        X = poisson(R, X, free)
-    return X
+def turn(handle: list[int], degrees: float = 80) -> FloatArray:
+    return motion(rotation([1, 2, 0], degrees), [-1, 0, 1], V[handle].mean(axis=0))
 
 
 @pytest.mark.parametrize("handle", [[24], [31, 32, 38, 39]], ids=["a vertex", "a region"])
-@pytest.mark.parametrize("rigid", [1, 2, 4])
-def test_levels_are_rounds_of_rotations_and_positions(handle: list[int], rigid: int) -> None:
-    fixed = np.flatnonzero(V[:, 0] < 2)
-    T = motion(rotation([1, 2, 0], 80), [-1, 0, 1], V[handle].mean(axis=0))
-    deformer = Deformer(V, F, fixed, [handle])
-    free = np.delete(np.arange(len(V)), [*fixed, *handle])
-    corners = np.isin(F, handle)
-    whole = np.asarray(corners.all(axis=1))
-    holding = whole if whole.any() else corners.any(axis=1)
-    turning = np.logical_not(holding | np.isin(F, fixed).all(axis=1))
-    expected = refined(deformer.frames([T]), deformer.pose([T]), free, turning, rigid)
+def test_the_first_level_is_nearest_rotations_and_their_positions(handle: list[int]) -> None:
+    T = turn(handle)
+    deformer = Deformer(V, F, FIXED, [handle])
+    free = np.delete(np.arange(len(V)), [*FIXED, *handle])
+    R = np.stack([nearest(G) for G in deformer.frames([T])])
+    expected = poisson(R, deformer.pose([T]), free)
+    np.testing.assert_allclose(deformer.pose([T], rigid=1), expected, atol=1e-9)
+
+
+def descent(handle: list[int], rounds: int, degrees: float = 80) -> list[State]:
+    """The states of some rounds, in diagonals; triangles that nothing strains are at rest."""
+    shape = RestShape(V, F)
+    deformer = Deformer(V, F, FIXED, [handle])
+    binding = bind(shape, Options(fixed=FIXED, handles=[handle]))
+    system = binding.system
+    rigidity = Rigidity(shape, binding.constraints, system, (), binding.options.bending_length)
+    T = turn(handle, degrees)
+    R = nearest_rotations(deformer.frames([T]).transpose(0, 2, 1))
+    X = shape.normalise(deformer.pose([T], rigid=1))
+    states = []
+    for state, _ in zip(rigidity.descend(X, R[system.active], none()), range(rounds), strict=False):
+        R = np.tile(np.eye(3), (len(F), 1, 1))
+        R[system.active] = state.R
+        states.append(replace(state, R=R))
+    return states
+
+
+def none() -> FloatArray:
+    """The moments where there are no grabs."""
+    return np.empty((0, 3))
+
+
+def shell_energy(X: FloatArray, R: FloatArray) -> float:
+    """X in diagonals, R as rows of its transpose."""
+    shape = RestShape(V, F)
+    ones = np.ones(len(shape.topology.edges))
+    K = deformation_matrix(shape.points, shape.topology, ROTATION_LENGTH, (ones, ones))
+    U = np.vstack([X, R.reshape(-1, 3)])
+    return float(0.5 * np.sum(U * (K @ U)))
+
+
+@pytest.mark.parametrize("handle", [[24], [31, 32, 38, 39]], ids=["a vertex", "a region"])
+@pytest.mark.parametrize("degrees", [30, 80, 175])
+def test_every_round_lowers_the_energy(handle: list[int], degrees: float) -> None:
+    states = descent(handle, 12, degrees)
+    energies = np.array([shell_energy(state.X, state.R) for state in states])
+    assert len(energies) > 4
+    assert (np.diff(energies) < 0).all()
+    np.testing.assert_allclose([state.energy for state in states], energies, rtol=1e-9)
+    R = states[-1].R
+    np.testing.assert_allclose(
+        R @ R.transpose(0, 2, 1), np.tile(np.eye(3), (len(R), 1, 1)), atol=1e-12
+    )
+
+
+def test_after_many_rounds_no_turn_of_any_triangle_lowers_the_energy() -> None:
+    handle = [31, 32, 38, 39]
+    state = descent(handle, 200)[-1]
+    free = np.delete(np.arange(len(V)), [*FIXED, *handle])
+    rng = np.random.default_rng(3)
+    scale = size(V)
+    turning = np.flatnonzero(~np.isin(F, FIXED).all(axis=1) & ~np.isin(F, handle).all(axis=1))
+    for _ in range(20):
+        R = state.R.copy()
+        for t in turning:
+            R[t] = R[t] @ rotation(rng.normal(size=3), 0.3).T
+        X = poisson(R.transpose(0, 2, 1), state.X * scale, free) / scale
+        assert shell_energy(X, R) > state.energy
+
+
+def test_rounds_end_by_themselves() -> None:
+    deformer = Deformer(V, F, FIXED, [[24]])
+    T = turn([24])
+    assert np.array_equal(deformer.pose([T], 300), deformer.pose([T], 10**9))
+
+
+@pytest.mark.parametrize("rigid", LEVELS)
+def test_the_rest_pose_is_a_fixed_point(rigid: int) -> None:
+    deformer = Deformer(V, F, FIXED, [[24], [31, 32, 38, 39]])
+    np.testing.assert_allclose(deformer.pose([np.eye(4)] * 2, rigid), V, atol=1e-9)
+
+
+Make = Callable[[FloatArray], Deformer]
+
+
+def two_handles(X: FloatArray) -> Deformer:
+    return Deformer(X, F, (), [FIXED, [31, 32, 38, 39]])
+
+
+def positions_only(X: FloatArray) -> Deformer:
+    return Deformer(X, F, (), [FIXED, [31, 32, 38, 39]], orientation=False)
+
+
+def soft_elbow(X: FloatArray) -> Deformer:
+    softness = np.clip(1 - np.abs(V[:, 0] - 3), 0, 1)
+    return Deformer(X, F, (), [FIXED, [31, 32, 38, 39]], softness=softness)
+
+
+def a_grab(X: FloatArray) -> Deformer:
+    return Deformer(X, F, (), [FIXED]).grab(falloff())
+
+
+def falloff() -> FloatArray:
+    return np.asarray(np.clip(1.5 - np.linalg.norm(V - V[38], axis=1), 0, None))
+
+
+MAKES = [two_handles, positions_only, soft_elbow, a_grab]
+
+
+@pytest.mark.parametrize("make", MAKES)
+@pytest.mark.parametrize("rigid", LEVELS)
+def test_one_rigid_motion_of_all_constraints_moves_the_result_by_it(make: Make, rigid: int) -> None:
+    deformer, T = make(V), turn([38], 60)
+    M = motion(rotation([3, -1, 2], 130), [5, -2, 1])
+    once, again = deformer.pose([np.eye(4), T], rigid), deformer.pose([M, M @ T], rigid)
+    np.testing.assert_allclose(again, moved(M, once), atol=1e-8 * size(V))
+
+
+@pytest.mark.parametrize("make", MAKES)
+def test_scaling_the_file_scales_the_result(make: Make) -> None:
+    T = turn([38], 60)
+    large = T.copy()
+    large[:3, 3] *= 1000
+    result = make(1000 * V).pose([np.eye(4), large], 4)
+    np.testing.assert_allclose(result, 1000 * make(V).pose([np.eye(4), T], 4), atol=1e-5 * size(V))
+
+
+@pytest.mark.parametrize("make", [two_handles, positions_only, soft_elbow])
+@pytest.mark.parametrize("rigid", LEVELS)
+def test_held_vertices_are_where_the_handles_put_them(make: Make, rigid: int) -> None:
+    T = turn([38], 100)
+    X = make(V).pose([np.eye(4), T], rigid)
+    np.testing.assert_array_equal(X[FIXED], V[FIXED])
+    handle = [31, 32, 38, 39]
+    np.testing.assert_allclose(X[handle], moved(T, V[handle]), atol=1e-12 * size(V))
+
+
+@pytest.mark.parametrize("rigid", LEVELS)
+def test_the_moments_of_grabs_stay_met(rigid: int) -> None:
+    w = falloff()
+    T, S = turn([38], 50), motion(rotation([0, 0, 1], 40), [0, -0.5, 1], V[27])
+    other = np.clip(1.2 - np.linalg.norm(V - V[27], axis=1), 0, None)
+    deformer = Deformer(V, F, FIXED).grab(w).grab(other)
+    X = deformer.pose([T, S], rigid)
+    rest = np.column_stack([V, np.ones(len(V))])
+    for weights, motion_of in ((w, T), (other, S)):
+        weights = np.where(np.isin(np.arange(len(V)), FIXED), 0.0, weights)
+        moments = (rest * weights[:, None]).T
+        np.testing.assert_allclose(moments @ X, moments @ moved(motion_of, V), atol=1e-8 * size(V))
+
+
+@pytest.mark.parametrize("rigid", LEVELS)
+def test_where_everything_is_held_there_is_nothing_to_turn(rigid: int) -> None:
+    deformer = Deformer(V, F, FIXED, [np.delete(np.arange(len(V)), FIXED)])
+    T = motion(rotation([0, 0, 1], 40))
+    expected = np.where(np.isin(np.arange(len(V)), FIXED)[:, None], V, moved(T, V))
     np.testing.assert_allclose(deformer.pose([T], rigid), expected, atol=1e-9)
+
+
+def test_a_bend_in_small_steps_moves_the_surface_in_small_steps() -> None:
+    P, faces = shapes.tube(30, 12)
+    fixed, tip = np.flatnonzero(P[:, 0] < 0.5), np.flatnonzero(P[:, 0] > 7.5)
+    deformer = Deformer(P, faces, fixed, [tip])
+    steps = [motion(rotation([0, 0, 1], a), centre=[4, 0, 0]) for a in range(0, 152, 2)]
+    poses = np.stack([deformer.pose([T], 4) for T in steps])
+    surface = np.linalg.norm(np.diff(poses, axis=0), axis=2).max(axis=1)
+    handle = np.linalg.norm(np.diff(poses[:, tip], axis=0), axis=2).max(axis=1)
+    assert (surface < 3 * handle).all()

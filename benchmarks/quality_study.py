@@ -1,0 +1,83 @@
+"""How shapes change with l_r and with the number of rounds, beside plain local/global rounds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import scipy.sparse as sp
+
+from benchmarks.quality_cases import BAND, Case
+from benchmarks.quality_metrics import Fold, measure
+from solver.binding import Options, bind
+from solver.material import Material
+from solver.rigidity import Rigidity
+from solver.rotations import nearest_rotations
+from solver.shape import RestShape
+from solver.stencil import deformation_matrix
+from solver.types import FloatArray
+
+LENGTHS = (0.02, 0.03, 0.05, 0.075, 0.1, 0.15)
+SETTLED = 60
+"""Rounds after which nothing changes any more."""
+GAINS = (1.0, 0.3, 0.1, 0.01)
+PLAIN_LENGTH = 3e-4
+PLAIN_ROUNDS = (1, 2, 4, 6, 10, 20)
+
+
+class Study:
+    """One case, refined with any l_r."""
+
+    def __init__(self, case: Case, bending_gain: float = 0.1) -> None:
+        material = Material(bending_gain, 1.0)
+        self._shape = RestShape(case.V, case.F)
+        self._binding = bind(
+            self._shape, Options(case.fixed, case.handles, case.softness, material)
+        )
+        deformer = case.deformer(material=material)
+        X = self._shape.normalise(deformer.pose(case.transforms))
+        rows = deformer.frames(case.transforms).transpose(0, 2, 1).reshape(-1, 3)
+        self.U = np.vstack([X, rows])
+
+    def refined(self, rotation_length: float, rounds: int) -> FloatArray:
+        """X, (n, 3), at level `rounds` with this l_r in place of the solver's."""
+        binding = self._binding
+        length = binding.options.bending_length
+        rigidity = Rigidity(
+            self._shape, binding.constraints, binding.system, (), length, rotation_length
+        )
+        return self._shape.displace(rigidity.refine(self.U, rounds) - self._shape.points)
+
+    def plain(self, rounds: int) -> Iterator[FloatArray]:
+        """X after each of some local/global rounds with neighbours' rotations, unaccelerated.
+
+        R_t = nearest rotation to sum_e w_eT d x' + l_r^2 sum_j w_e^-1 R_j, then positions.
+        """
+        shape, binding, n = self._shape, self._binding, len(self._shape.points)
+        free = binding.constraints.free
+        turning = (free[free >= n][::3] - n) // 3
+        rigidity = Rigidity(shape, binding.constraints, binding.system, (), 1.0)
+        ones = np.ones(len(shape.topology.edges))
+        K = deformation_matrix(shape.points, shape.topology, PLAIN_LENGTH, (ones, ones))
+        links = sp.coo_array(K[n::3][:, n::3])
+        links.data[links.coords[0] == links.coords[1]] = 0.0
+        R = nearest_rotations(self.U[n:].reshape(-1, 3, 3))
+        none = np.empty((0, 3))
+        active = binding.system.active
+        for _ in range(rounds):
+            X = rigidity.positions(self.U[:n], R[active], none)
+            yield shape.displace(X - shape.points)
+            fit = -(K[n:, :n] @ X).reshape(-1, 3, 3)
+            fit -= (links @ R.reshape(-1, 9)).reshape(-1, 3, 3)
+            R[turning] = nearest_rotations(fit[turning])
+
+
+def strain_and_dihedral(case: Case, X: FloatArray) -> tuple[float, float]:
+    m = measure(case.V, case.F, case.free, X)
+    return m.strain, m.dihedral
+
+
+def fold_of(case: Case, X: FloatArray) -> Fold:
+    """Of a case with a limb: within the band that the design's table takes."""
+    assert case.limb is not None
+    return case.limb.fold(X, case.joint, BAND * case.diagonal)
