@@ -37,7 +37,7 @@ class Deformer:
     V: (n, 3) rest positions.  F: (m, 3) triangles.
     fixed: vertices that stay.  handles: a list of vertex lists, each moved by its transform.
     softness: (n,) in [0, 1], None for rigid everywhere.  material: a preset's name or a Material.
-    bending_length: l in bounding-box diagonals.
+    bending_length: l in bounding-box diagonals; at least the length of a typical edge is taken.
     orientation: whether handles hold the frames of their triangles too, not positions alone.
         Without it, frames are still held where positions leave them open (a planar handle).
     edge_gains: (edges (k, 2), bending (k,), stretching (k,)) in place of softness and material.
