@@ -14,7 +14,7 @@ import numpy as np
 from benchmarks.quality_cases import BAND, Case, all_cases
 from benchmarks.quality_metrics import Metrics, measure
 from benchmarks.quality_plots import draw
-from benchmarks.quality_sweeps import TURNS, drag_rows, turn_rows
+from benchmarks.quality_sweeps import TURNS, drag_rows, resolution_rows, turn_rows
 from benchmarks.timing import seconds, table
 from solver.types import FloatArray
 
@@ -93,6 +93,8 @@ def measured(cases: list[Case]) -> str:
         [
             f"### Goals\n\n{table(head, goals)}\n",
             *parts,
+            f"### Resolution\n\nThe cylinder's bend at rigid {DEFAULT}:\n",
+            table(["vertices", "strain", "volume", "ms a round"], resolution_rows(DEFAULT)) + "\n",
             f"### Large turns\n\nBroken triangles, rigid {DEFAULT} / ARAP:\n",
             table(["", *(f"{degrees} degrees" for degrees in TURNS)], turn_rows(DEFAULT)) + "\n",
             "### Drags\n\n" + DRAGS,

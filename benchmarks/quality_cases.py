@@ -10,6 +10,7 @@ import igl
 import numpy as np
 
 from app.session import read_session
+from assets.primitives import cylinder
 from benchmarks.quality_metrics import Limb
 from benchmarks.survey import CASES, DEFAULT, PUBLISHED
 from solver import Deformer, load_mesh
@@ -115,9 +116,12 @@ def survey_case(folder: Path, name: str) -> Case:
     return Case(title, mesh.vertices, mesh.faces, fixed, [handle], [T], published=known)
 
 
-def bent_cylinder(degrees: float = 120.0) -> Case:
-    """One end turned as if the axis had become an arc of its own length."""
-    V, F = _asset("cylinder")
+def bent_cylinder(degrees: float = 120.0, rings: int | None = None) -> Case:
+    """One end turned as if the axis had become an arc of its own length.
+
+    rings: of triangles on the caps, for another resolution than the asset's 7.
+    """
+    V, F = cylinder(rings=rings) if rings else _asset("cylinder")
     fixed, handle = np.flatnonzero(V[:, 0] < -1.6), np.flatnonzero(V[:, 0] > 1.6)
     T = _arc([-1.6, 0, 0], [1.6, 0, 0], [0, 1, 0], degrees)
     return Case(f"cylinder, bend {degrees:.0f}", V, F, fixed, [handle], [T])

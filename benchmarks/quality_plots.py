@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -28,23 +30,24 @@ def draw(cases: list[Case], folder: Path) -> bool:
         return False
     matplotlib.use("svg")
     # The same data give the same file.
-    matplotlib.rcParams.update({"svg.hashsalt": "quality", "font.size": 9})
+    matplotlib.rcParams.update({"svg.hashsalt": "quality", "svg.fonttype": "none", "font.size": 9})
     from matplotlib import pyplot
 
     folder.mkdir(exist_ok=True)
     limbs = [case for case in cases if case.limb]
-    for name, chosen, plot in (
-        ("frontier", cases[:2], _frontier),
-        ("fold", limbs, _fold),
-        ("length", [cases[0], limbs[0]], _length),
-        ("rounds", cases, _rounds),
-    ):
-        columns = 1 if plot is _rounds else len(chosen)
+    plots: dict[str, list[Callable[[Any], None]]] = {
+        "frontier": [partial(_frontier, case=case) for case in cases[:2]],
+        "fold": [partial(_fold, case=case) for case in limbs],
+        "length": [partial(_length, case=case) for case in (cases[0], limbs[0])],
+        "rounds": [partial(_rounds, cases=cases)],
+    }
+    for name, panels in plots.items():
+        size = (4.2 * max(len(panels), 1.5), 3.6)
         figure, axes = pyplot.subplots(
-            1, columns, figsize=(4.2 * max(columns, 1.5), 3.6), layout="constrained", squeeze=False
+            1, len(panels), figsize=size, layout="constrained", squeeze=False
         )
-        for axis, case in zip(axes[0], chosen, strict=False):
-            plot(axis, chosen if plot is _rounds else case)
+        for axis, plot in zip(axes[0], panels, strict=True):
+            plot(axis)
             axis.grid(alpha=0.3)
         figure.savefig(folder / f"{name}.svg", metadata={"Date": None})
         pyplot.close(figure)

@@ -15,7 +15,8 @@ from benchmarks.quality_cases import (
     move,
     twisted_bar,
 )
-from benchmarks.quality_metrics import broken_triangles
+from benchmarks.quality_metrics import broken_triangles, measure
+from benchmarks.timing import seconds
 from solver import Deformer
 from solver.types import FloatArray
 
@@ -26,6 +27,7 @@ TURNED: dict[str, Callable[[float], Case]] = {
     "arm, fold": folded_arm,
     "mannequin's arm, fold": mannequin,
 }
+RINGS = (4, 7, 12, 18)
 STEP = 0.01
 """Of the target in a drag, in diagonals."""
 
@@ -43,6 +45,24 @@ def turn_rows(rigid: int) -> list[list[str]]:
         ours = (broken(case, deformer.pose(case.transforms, rigid)) for case in cases)
         theirs = (broken(case, case.arap()) for case in cases)
         rows.append([name, *(f"{a} / {b}" for a, b in zip(ours, theirs, strict=True))])
+    return rows
+
+
+def resolution_rows(rigid: int) -> list[list[str]]:
+    """One bend on finer and finer triangles, and what a round costs where all of it is free."""
+    rows = []
+    for rings in RINGS:
+        case = bent_cylinder(120, rings)
+        deformer = case.deformer()
+        m = measure(case.V, case.F, case.free, deformer.pose(case.transforms, rigid))
+        # The first rounds: later ones end early on some meshes.
+        two, one = (
+            seconds(lambda k=k, d=deformer, c=case: d.pose(c.transforms, k), 5)  # type: ignore[misc]
+            for k in (3, 2)
+        )
+        rows.append(
+            [str(len(case.V)), f"{m.strain:.3f}", f"{m.volume:.3f}", f"{1000 * (two - one):.1f}"]
+        )
     return rows
 
 

@@ -90,7 +90,8 @@ class Deformer:
         """X, (n, 3), for one transform (4, 4) a handle (rest to target, world coordinates).
 
         rigid 0: the linear minimiser, one small dense product and no solve. rigid 1: the nearest
-        rotation of every frame, then one Poisson solve. rigid k: k - 1 further rounds of both.
+        rotation of every frame, then one Poisson solve. rigid k: k - 1 further rounds, each of
+        lower energy; 4 is all but settled. docs/quality.md has what they are worth.
         Raises ConstraintError.
         """
         if _as_level(rigid) == 0:

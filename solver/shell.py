@@ -40,7 +40,7 @@ class Shell:
         i, j = links.coords
         weights, i, j = -links.data[i != j], i[i != j], j[i != j]
         degree = np.bincount(i, weights, len(stiffness))
-        self._own = stiffness - 3.0 * degree
+        self._own = np.maximum(stiffness - 3.0 * degree, 0.0)  # rounding may go below
         size = (len(degree), len(degree))
         bending = sp.diags_array(degree) - sp.coo_array((weights, (i, j)), shape=size)
         self._bending = sp.csr_array(ratio * bending)
