@@ -11,9 +11,11 @@ import numpy as np
 from app import commands as c
 from app.colors import MAPS
 from app.document import FREE, SETTINGS, Handle, is_number
+from app.soft_strokes import SOFTNESS_MODES
 from app.tools import TOOLS
 from app.workspace import Workspace
-from solver.material import resolve_material
+from solver.material import interpolate_softness, resolve_material
+from solver.softness import smooth_softness
 
 # The largest brush still shows which part of the mesh it is for; the smallest takes one vertex.
 BRUSH_RADII = 0.001, 0.5
@@ -21,14 +23,20 @@ BRUSH_RADII = 0.001, 0.5
 
 def set_tool(work: Workspace, command: c.SetTool) -> None:
     _check_name(command.name, TOOLS, "tool")
-    work.tool = command.name
-    work.map = TOOLS[command.name].map or work.map
+    work.tool, tool = command.name, TOOLS[command.name]
+    watched = MAPS[work.map].measure is not None and not tool.paints
+    if tool.map is not None and not watched:
+        work.map = tool.map
 
 
 def set_brush(work: Workspace, command: c.SetBrush) -> None:
     """Numbers out of range are taken to the nearest that fits, as a slider would."""
     changes = {name: value for name, value in vars(command).items() if value is not None}
+    if command.mode is not None:
+        _check_name(command.mode, SOFTNESS_MODES, "brush mode")
     for name, value in changes.items():
+        if name == "mode":
+            continue
         if not is_number(value):
             raise c.CommandError(f"brush {name} must be a number, got {value!r}")
         low, high = BRUSH_RADII if name == "radius" else (0.0, 1.0)
@@ -88,6 +96,32 @@ def clear_handle(work: Workspace, command: c.ClearHandle) -> None:
 def clear_softness(work: Workspace, command: c.ClearSoftness) -> None:
     with work.edit("Clear softness") as gesture:
         gesture.change("softness", 0.0, np.flatnonzero(work.document.softness))
+        gesture.change("pinned", False, np.flatnonzero(work.document.pinned))
+
+
+def fill_softness(work: Workspace, command: c.FillSoftness) -> None:
+    document, mesh = work.document, work.document.mesh
+    pins = np.flatnonzero(document.pinned)
+    if not len(pins):
+        raise c.CommandError("nothing to fill from: dab a few soft and a few stiff spots first")
+    values = document.softness[pins]
+    softness = interpolate_softness(mesh.vertices, mesh.faces, pins, values)
+    component = work.neighbours.component
+    reached = np.flatnonzero(np.isin(component, component[pins]))
+    with work.edit("Fill softness") as gesture:
+        gesture.change("softness", softness[reached], reached)
+
+
+def smooth_whole_softness(work: Workspace, command: c.SmoothSoftness) -> None:
+    document, mesh = work.document, work.document.mesh
+    softness = smooth_softness(mesh.vertices, mesh.faces, document.softness)
+    with work.edit("Smooth softness") as gesture:
+        gesture.change("softness", softness, np.arange(len(softness)))
+
+
+def clear_pins(work: Workspace, command: c.ClearPins) -> None:
+    with work.edit("Clear pins") as gesture:
+        gesture.change("pinned", False, np.flatnonzero(work.document.pinned))
 
 
 def set_material(work: Workspace, command: c.SetMaterial) -> None:
@@ -153,6 +187,9 @@ ACTIONS: dict[type[c.Command], Callable[[Workspace, Any], None]] = {
     c.ClearFixed: clear_fixed,
     c.ClearHandle: clear_handle,
     c.ClearSoftness: clear_softness,
+    c.FillSoftness: fill_softness,
+    c.SmoothSoftness: smooth_whole_softness,
+    c.ClearPins: clear_pins,
     c.SetMaterial: set_material,
     c.SetSetting: set_setting,
     c.ResetPose: reset_pose,

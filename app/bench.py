@@ -68,12 +68,24 @@ class Bench:
         except Exception as error:
             traceback.print_exc()
             value = WorkerError(f"{type(error).__name__}: {error}")
-        return Answer(value, time.perf_counter() - start)
+        seconds = time.perf_counter() - start
+        return Answer(value, seconds, self._first_pose(request, value))
 
     def _bind(self, request: BindRequest) -> DragModel:
         deformer = bind(request, self._last)
         self._last = request, deformer
         return deformer.drag_model
+
+    def _first_pose(self, request: Request, value: object) -> Answer | None:
+        """The surface with the bind, so that a slider that binds all the time shows what it does.
+
+        None where the window needs none: at rest, or where the linear level is asked for.
+        """
+        if not isinstance(request, BindRequest) or not isinstance(value, DragModel):
+            return None
+        if request.rigid == 0 or (request.transforms == np.eye(4)).all():
+            return None
+        return self.answer(request.first_pose)
 
     def _refine(self, request: RefineRequest) -> FloatArray:
         if self._last is None or self._last[0].version != request.version:

@@ -72,6 +72,8 @@ def _take_results(work: Workspace) -> None:
 def _take(work: Workspace, result: Result) -> None:
     if isinstance(result, Bound):
         work.surface.attach(result)
+        if result.pose is not None:
+            work.surface.take(result.pose)
     elif isinstance(result, Refined):
         work.surface.take(result)
     elif isinstance(result, Restarted):

@@ -19,11 +19,15 @@ MAX_DABS = 32  # the most dabs put into one frame of a fast stroke
 
 @dataclass(frozen=True)
 class Brush:
-    """radius: as a fraction of the mesh's diagonal. strength, value: of softness, in [0, 1]."""
+    """radius: as a fraction of the mesh's diagonal. strength, value: of softness, in [0, 1].
+
+    mode: a name in soft_strokes.SOFTNESS_MODES, what a softness stroke does with both.
+    """
 
     radius: float = 0.03
     strength: float = 1.0
     value: float = 1.0
+    mode: str = "set"
 
 
 def falloff(t: FloatArray) -> FloatArray:
@@ -32,10 +36,16 @@ def falloff(t: FloatArray) -> FloatArray:
 
 
 class Neighbours:
-    """Which vertices edges join; built once a mesh. A vertex no face uses has no neighbours."""
+    """Which vertices edges join; built once a mesh. A vertex no face uses has no neighbours.
+
+    edges: (e, 2).  component: (n,) the connected piece that each vertex belongs to.
+    """
 
     def __init__(self, faces: IntArray, vertex_count: int) -> None:
-        a, b = Topology(faces, vertex_count).edges.T
+        topology = Topology(faces, vertex_count)
+        self.edges = topology.edges
+        self.component = topology.vertex_component
+        a, b = topology.edges.T
         ends = np.concatenate([a, b]), np.concatenate([b, a])
         self._graph = sp.csr_array((np.ones(2 * len(a)), ends), shape=(vertex_count, vertex_count))
 
@@ -56,6 +66,22 @@ class Neighbours:
         graph = self._graph[inside][:, inside]
         piece = inside[breadth_first_order(graph, seed, return_predecessors=False)]
         return piece, falloff(np.sqrt(away[piece]) / radius)
+
+    def smoothed(
+        self, values: FloatArray, vertices: IntArray, amounts: FloatArray, rounds: int
+    ) -> FloatArray:
+        """What `values` (n,) become at some vertices (k,), moved towards the neighbours' mean.
+
+        amounts: (k,) in [0, 1], how much of the way each goes in each round.
+        """
+        rows = self._graph[vertices]
+        degree = np.diff(rows.indptr)
+        amounts = np.where(degree > 0, amounts, 0.0)
+        values = values.copy()
+        for _ in range(rounds):
+            mean = (rows @ values) / np.maximum(degree, 1)
+            values[vertices] += amounts * (mean - values[vertices])
+        return values[vertices]
 
 
 def _squared_distances(positions: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.document import FIRST_HANDLE, Document, Handle
+from app.document import FIRST_HANDLE
+from app.workspace import Workspace
 from solver.types import FloatArray
 
 # Viridis at 0, 1/16, ..., 1. [van der Walt & Smith 2015, CC0]
@@ -34,11 +36,30 @@ _VIRIDIS = np.array(
 )
 
 
+# The heat maps: light grey is the rest shape, blue is less than that, red is more.
+_BLUE, _GREY, _RED = (0.10, 0.30, 0.72), (0.84, 0.84, 0.83), (0.72, 0.06, 0.10)
+_COLD, _WARM = (0.45, 0.65, 0.90), (0.96, 0.62, 0.38)
+
+
 def viridis(values: ArrayLike) -> FloatArray:
     """RGB of values (k,) in [0, 1], (k, 3): dark purple to yellow."""
-    at = np.linspace(0, 1, len(_VIRIDIS))
+    return _blend(values, _VIRIDIS)
+
+
+def diverging(values: ArrayLike) -> FloatArray:
+    """RGB of values (k,) in [0, 1], (k, 3): blue, light grey at 1/2, red."""
+    return _blend(values, np.array([_BLUE, _COLD, _GREY, _WARM, _RED]))
+
+
+def rising(values: ArrayLike) -> FloatArray:
+    """RGB of values (k,) in [0, 1], (k, 3): light grey to red."""
+    return _blend(values, np.array([_GREY, _WARM, _RED]))
+
+
+def _blend(values: ArrayLike, stops: FloatArray) -> FloatArray:
+    at = np.linspace(0, 1, len(stops))
     s = np.asarray(values, dtype=np.float64)
-    return np.column_stack([np.interp(s, at, channel) for channel in _VIRIDIS.T])
+    return np.column_stack([np.interp(s, at, channel) for channel in stops.T])
 
 
 # Free, fixed, the active handle, the other handles.
@@ -46,8 +67,9 @@ FREE_COLOR, FIXED_COLOR, ACTIVE_COLOR, OTHER_COLOR = viridis([0.5, 0.0, 1.0, 0.8
 SOFT_COLOR = viridis([0.75])[0]
 
 
-def role_colors(document: Document, active: Handle | None) -> FloatArray:
+def role_colors(work: Workspace) -> FloatArray:
     """Fixed dark purple, free teal, the active handle yellow, the others a greener yellow."""
+    document, active = work.document, work.active
     palette = np.tile(OTHER_COLOR, (FIRST_HANDLE + len(document.handles), 1))
     palette[:FIRST_HANDLE] = FREE_COLOR, FIXED_COLOR
     if active is not None:
@@ -55,12 +77,66 @@ def role_colors(document: Document, active: Handle | None) -> FloatArray:
     return np.asarray(palette[document.role])
 
 
-def softness_colors(document: Document, active: Handle | None) -> FloatArray:
+def softness_colors(work: Workspace) -> FloatArray:
     """Rigid dark purple, fully soft yellow."""
-    return viridis(document.softness)
+    return viridis(work.document.softness)
 
 
-MAPS: dict[str, Callable[[Document, Handle | None], FloatArray]] = {
-    "roles": role_colors,
-    "softness": softness_colors,
+@dataclass(frozen=True)
+class Scale:
+    """What a legend shows: `colors` from `low` to `high`; values beyond take the end's colour.
+
+    factor, unit: from the values to what is written beside the legend.
+    """
+
+    colors: Callable[[ArrayLike], FloatArray]
+    low: float
+    high: float
+    factor: float = 1.0
+    unit: str = ""
+
+    def __call__(self, values: FloatArray) -> FloatArray:
+        """RGB of values (n,), (n, 3)."""
+        return self.colors((values - self.low) / (self.high - self.low))
+
+    def text(self, value: float, form: str = "g") -> str:
+        """A value as it is written for a person."""
+        return f"{self.factor * value:{form}}{self.unit}"
+
+
+@dataclass(frozen=True)
+class ColorMap:
+    """One way to colour the surface.
+
+    paint: (n, 3) RGB.  fields: of the document, those that it depends on.
+    scale: what its legend shows, None without one.
+    measure: what it shows of the shape on screen (heat.MEASURES), None if nothing.
+    """
+
+    label: str
+    paint: Callable[[Workspace], FloatArray]
+    fields: tuple[str, ...] = ()
+    scale: Scale | None = None
+    measure: str | None = None
+
+    def version(self, work: Workspace) -> tuple[object, ...]:
+        """Differs whenever what `paint` returns may."""
+        revisions = tuple(work.document.revision[field] for field in self.fields)
+        if self.measure is not None:
+            return (*revisions, work.heat.version)
+        return revisions
+
+
+def _heat(measure: str, label: str, scale: Scale) -> ColorMap:
+    return ColorMap(label, lambda work: scale(work.heat.values), (), scale, measure)
+
+
+MAPS = {
+    "roles": ColorMap("Regions", role_colors, ("role",)),
+    "softness": ColorMap("Softness", softness_colors, ("softness",), Scale(viridis, 0.0, 1.0)),
+    "strain": _heat("strain", "Strain of edges", Scale(diverging, -0.25, 0.25, 100, " %")),
+    "dihedral": _heat(
+        "dihedral", "Change of bend", Scale(rising, 0.0, np.pi / 4, 180 / np.pi, "°")
+    ),
+    "area": _heat("area", "Change of area", Scale(diverging, -0.5, 0.5, 100, " %")),
 }

@@ -30,12 +30,16 @@ class SetTool(Command):
 
 @dataclass(frozen=True)
 class SetBrush(Command):
-    """Change what is not None. radius: fraction of the diagonal; strength, value in [0, 1]."""
+    """Change what is not None.
+
+    radius: fraction of the diagonal; strength, value in [0, 1]; mode: see Brush.
+    """
 
     interrupts: ClassVar[bool] = False
     radius: float | None = None
     strength: float | None = None
     value: float | None = None
+    mode: str | None = None
 
 
 @dataclass(frozen=True)
@@ -95,7 +99,22 @@ class ClearHandle(Command):
 
 @dataclass(frozen=True)
 class ClearSoftness(Command):
-    """Rigid everywhere."""
+    """Rigid everywhere, and nothing pinned."""
+
+
+@dataclass(frozen=True)
+class FillSoftness(Command):
+    """Keep the pinned values, and give all vertices connected to one a harmonic softness."""
+
+
+@dataclass(frozen=True)
+class SmoothSoftness(Command):
+    """Even out the whole field, pins included."""
+
+
+@dataclass(frozen=True)
+class ClearPins(Command):
+    """Pin nothing; the softness stays."""
 
 
 @dataclass(frozen=True)

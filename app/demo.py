@@ -6,6 +6,7 @@ import sys
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -51,7 +52,7 @@ class Performer:
         self._editor = editor
         self._camera = camera
 
-    def take(self, tool: str, **brush: float) -> None:
+    def take(self, tool: str, **brush: Any) -> None:
         """Take a tool and set the brush."""
         self._editor.execute(c.SetTool(tool))
         self._editor.execute(c.SetBrush(**brush))

@@ -19,7 +19,7 @@ import numpy as np
 
 from solver.material import Material
 from solver.mesh import Mesh
-from solver.types import FloatArray, IntArray
+from solver.types import BoolArray, FloatArray, IntArray
 
 FREE, FIXED, FIRST_HANDLE = 0, 1, 2
 
@@ -50,7 +50,7 @@ SETTINGS: Mapping[str, Setting] = MappingProxyType(
         "rigid": Setting(1, lambda v: type(v) is int and v >= 0, "an integer, 0 or more"),
     }
 )
-FIELDS = ("role", "handles", "softness", "material", *SETTINGS)
+FIELDS = ("role", "handles", "softness", "pinned", "material", *SETTINGS)
 BIND_FIELDS = ("role", "softness", "material", "bending_length", "orientation")
 
 # One clock for all documents: a revision never comes back, not even after opening another mesh.
@@ -83,7 +83,8 @@ class Document:
     """One open mesh and what a person decided about it.
 
     role: (n,) 0 free, 1 fixed, 2 + h the handle number h.  handles: tuple of Handle.
-    softness: (n,) in [0, 1].  material: a preset's name or a Material.
+    softness: (n,) in [0, 1].  pinned: (n,) whose softness a fill keeps; no session holds it.
+    material: a preset's name or a Material.
     bending_length, orientation, rigid: the solver's settings (SETTINGS).
     revision: for each field a number that grows whenever the field changes.
     """
@@ -95,6 +96,7 @@ class Document:
         self.role: IntArray = np.zeros(len(mesh.vertices), dtype=np.int64)
         self.handles: tuple[Handle, ...] = ()
         self.softness: FloatArray = np.zeros(len(mesh.vertices))
+        self.pinned: BoolArray = np.zeros(len(mesh.vertices), dtype=bool)
         self.material: str | Material = "hinge"
         self.bending_length: float = SETTINGS["bending_length"].default
         self.orientation: bool = SETTINGS["orientation"].default

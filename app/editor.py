@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from app import binding
 from app.actions import ACTIONS
+from app.advice import softness_warnings
 from app.colors import MAPS
 from app.commands import Command
 from app.document import FIRST_HANDLE, FIXED
@@ -26,12 +27,14 @@ class Editor(Workspace):
     """
 
     hover: Hit | None = None
+    _warned: tuple[int, ...] = ()
+    _warnings: tuple[str, ...] = ()
 
     def step(self, frame: Input) -> None:
         """One frame: advance a stroke or drag, take finished binds, pose the surface."""
         try:
             self._advance(frame)
-            binding.update(self)
+            self._refresh()
         except (SolverError, OSError) as error:
             self.cancel()
             self.say(str(error), "error")
@@ -43,13 +46,14 @@ class Editor(Workspace):
             if command.interrupts:
                 self.finish()
             HANDLERS[type(command)](self, command)
-            binding.update(self)
+            self._refresh()
         except (SolverError, OSError) as error:
             self.say(str(error), "error")
 
     def settle(self) -> None:
         """For scripts: wait until the surface is what the document asks for. Raises SolverError."""
         binding.settle(self)
+        self._refresh()
 
     def close(self) -> None:
         """End the worker."""
@@ -81,18 +85,27 @@ class Editor(Workspace):
     @property
     def colors(self) -> FloatArray:
         """(n, 3) RGB of the map that is shown."""
-        return MAPS[self.map](self.document, self.active)
+        return MAPS[self.map].paint(self)
 
     @property
     def colors_version(self) -> tuple[object, ...]:
         """Differs whenever `colors` may."""
-        revision, active = self.document.revision, self.active
-        return (self.map, active and active.key, revision["role"], revision["softness"])
+        return (self.map, self.active and self.active.key, MAPS[self.map].version(self))
 
     @property
     def positions_version(self) -> int:
         """Differs whenever `positions` does."""
         return self.surface.version
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What is wrong with the softness, in plain words; checked again when it has changed."""
+        revision = self.document.revision
+        version = tuple(revision[field] for field in ("role", "softness", "material"))
+        if version != self._warned:
+            self._warned = version
+            self._warnings = softness_warnings(self.document, self.neighbours.edges)
+        return self._warnings
 
     @property
     def bind_seconds(self) -> float | None:
@@ -120,6 +133,13 @@ class Editor(Workspace):
         if not (role == FIXED).any():
             hint += "; nothing is fixed, so the whole part moves along"
         return hint
+
+    def _refresh(self) -> None:
+        binding.update(self)
+        measure = MAPS[self.map].measure
+        self.heat.follow(
+            measure, self.document, self.positions, self.positions_version, self.dragging
+        )
 
     def _advance(self, frame: Input) -> None:
         if frame.pressed:

@@ -22,8 +22,9 @@ from solver.errors import SolverError
 
 FRAME_SECONDS = 1 / 60
 MESSAGE_SECONDS = {"info": 4.0, "error": 10.0}
-# Commands that read a whole file: a frame that says so is drawn before they run.
-SLOW = (c.OpenMesh, c.OpenSession)
+# Commands that take their time: a frame that says so is drawn before they run.
+OPENING = (c.OpenMesh, c.OpenSession)
+SLOW = (*OPENING, c.FillSoftness, c.SmoothSoftness)
 OVERLAY = (
     psim.ImGuiWindowFlags_NoDecoration
     | psim.ImGuiWindowFlags_NoInputs
@@ -120,7 +121,7 @@ class Window:
         elif isinstance(command, SLOW) and not now:
             self._waiting.append(command)
         else:
-            if isinstance(command, SLOW):
+            if isinstance(command, OPENING):
                 keep_unsaved(self._editor)
             self._editor.execute(command)
         if self._document != self._editor.document.serial:
@@ -137,7 +138,8 @@ class Window:
 
     def _messages(self) -> None:
         if self._waiting:
-            _overlay("loading", "Loading ...")
+            loads = any(isinstance(command, OPENING) for command in self._waiting)
+            _overlay("loading", "Loading ..." if loads else "Working ...")
             return
         message = self._editor.message
         if message is None:

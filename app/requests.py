@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from solver.drag import DragModel
 from solver.errors import SolverError
 from solver.material import Material
@@ -24,7 +26,7 @@ class BindRequest:
 
     version: of the document it was taken from. mesh: a number that names the mesh.
     keys: (h,) of the handles that have vertices, in the order of `handles` (index arrays).
-    rigid: the level that the surface will be posed at, to be made ready.
+    rigid, transforms: the level and the (h, 4, 4) that the surface is posed at for a start.
     """
 
     version: int
@@ -39,12 +41,14 @@ class BindRequest:
     bending_length: float
     orientation: bool
     rigid: int
+    transforms: FloatArray
 
     @staticmethod
     def of(document: Document) -> BindRequest:
         """The snapshot of a document; handles without a vertex stay out."""
         regions = {handle.key: document.vertices_of(handle.key) for handle in document.handles}
         regions = {key: vertices for key, vertices in regions.items() if len(vertices)}
+        transforms = [handle.transform for handle in document.handles if handle.key in regions]
         return BindRequest(
             version=document.bind_version,
             mesh=document.serial,
@@ -58,13 +62,19 @@ class BindRequest:
             bending_length=document.bending_length,
             orientation=document.orientation,
             rigid=document.rigid,
+            transforms=np.array(transforms).reshape(-1, 4, 4),
         )
 
     @property
     def answer_size(self) -> int:
         """Bytes that are enough for the arrays of the answer."""
         handles = len(self.handles)
-        return len(self.vertices) * (24 + 8 + 32 * handles) + 128 * handles**2 + 4096
+        return len(self.vertices) * (24 + 24 + 8 + 32 * handles) + 128 * handles**2 + 4096
+
+    @property
+    def first_pose(self) -> RefineRequest:
+        """What the surface is posed at for a start."""
+        return RefineRequest(self.version, self.transforms, self.rigid, len(self.vertices))
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,19 +103,25 @@ class Answer:
     """What became of a request, and the seconds it took.
 
     value: a DragModel for a bind, positions (n, 3) for a refinement, or what went wrong.
+    pose: of a bind, the answer to its `first_pose`; None where the surface is at rest or linear.
     """
 
     value: DragModel | FloatArray | SolverError
     seconds: float
+    pose: Answer | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class Bound:
-    """A finished bind. seconds: how long it took."""
+    """A finished bind. seconds: how long it took.
+
+    pose: the surface at the request's transforms, where that is more than the model can tell.
+    """
 
     request: BindRequest
     model: DragModel
     seconds: float
+    pose: Refined | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,6 +156,8 @@ def result_of(request: Request, answer: Answer) -> Result:
         return Failure(request, value)
     if isinstance(request, BindRequest):
         assert isinstance(value, DragModel)
-        return Bound(request, value, answer.seconds)
+        pose = result_of(request.first_pose, answer.pose) if answer.pose else None
+        # One that failed is asked for again in its own right, and fails with a message.
+        return Bound(request, value, answer.seconds, pose if isinstance(pose, Refined) else None)
     assert not isinstance(value, DragModel)
     return Refined(request, value, answer.seconds)

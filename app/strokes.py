@@ -148,25 +148,3 @@ class HandlePaint(RolePaint):
         transform = np.eye(4) if np.array_equal(rest, shown) else rigid_motion(rest, shown)
         if not np.array_equal(transform, self._handle.transform):
             gesture.change("handles", document.with_handle(self._handle.key, transform=transform))
-
-
-class SoftnessPaint:
-    """s = s0 + strength w (value - s0), with w the largest weight the stroke gave the vertex."""
-
-    def __init__(self, work: Workspace, label: str, value: float) -> None:
-        self.label = label
-        self._value = value
-        self._strength = work.brush.strength
-        self._before = work.document.softness.copy()
-        self._weights = np.zeros(len(self._before))
-
-    def dab(self, gesture: Gesture, vertices: IntArray, weights: FloatArray) -> None:
-        """Only the vertices where the weight has grown."""
-        grown = vertices[weights > self._weights[vertices]]
-        self._weights[vertices] = np.maximum(self._weights[vertices], weights)
-        before, amount = self._before[grown], self._strength * self._weights[grown]
-        softness = before + amount * (self._value - before)
-        gesture.change("softness", np.clip(softness, 0, 1), grown)
-
-    def finish(self, gesture: Gesture) -> None:
-        """Nothing is left to do."""

@@ -10,7 +10,8 @@ from app.drag import Drag
 from app.events import Input
 from app.history import Gesture
 from app.picking import Hit
-from app.strokes import HandlePaint, Paint, RoleEraser, RolePaint, SoftnessPaint, Stroke
+from app.soft_strokes import SOFTNESS_MODES, SoftnessEraser
+from app.strokes import HandlePaint, Paint, RoleEraser, RolePaint, Stroke
 from app.workspace import Interaction, Workspace
 
 Begin = Callable[[Workspace, Input, Hit], Interaction | None]
@@ -52,10 +53,7 @@ def _handle(work: Workspace, press: Input, hit: Hit) -> Interaction:
 
 
 def _softness(work: Workspace, press: Input, hit: Hit) -> Interaction:
-    if press.shift:
-        paint = SoftnessPaint(work, "Erase softness", 0.0)
-    else:
-        paint = SoftnessPaint(work, "Paint softness", work.brush.value)
+    paint = SoftnessEraser(work) if press.shift else SOFTNESS_MODES[work.brush.mode](work)
     return Stroke(work, press, hit, Gesture(work.document), paint)
 
 

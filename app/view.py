@@ -38,6 +38,8 @@ SURFACE = "surface"
 COLORS = "colors"
 BRUSH_SEGMENTS = 48
 EDGE_WIDTH, EDGE_COLOR = 0.6, (0.15, 0.15, 0.2)
+PINS = "pins"
+PIN_COLOR, PIN_SIZE = (0.96, 0.96, 0.98), 0.16  # radius, in edges of the mesh
 
 
 def open_window() -> None:
@@ -86,7 +88,7 @@ def _init(backends: tuple[str, ...]) -> None:
 def _style() -> None:
     """A quiet dark panel, dense enough that nothing needs scrolling at 800 pixels."""
     style = psim.GetStyle()
-    style.FramePadding, style.ItemSpacing, style.WindowPadding = (6.0, 3.0), (6.0, 4.0), (10.0, 8.0)
+    style.FramePadding, style.ItemSpacing, style.WindowPadding = (6.0, 2.0), (6.0, 3.0), (10.0, 8.0)
     style.FrameRounding = style.GrabRounding = 4.0
     style.WindowBorderSize = 0.0
     for name, color in PALETTE.items():
@@ -105,6 +107,8 @@ class View:
         self._document = self._positions = -1
         self._edges = False
         self._colors: object = None
+        self._pins: object = None
+        self._pin_radius = 0.0
 
     def sync(self, editor: Editor) -> None:
         """Upload what has changed since the last call, and nothing else."""
@@ -119,6 +123,24 @@ class View:
             buffer = self._mesh.get_quantity_buffer(COLORS, "colors")
             buffer.update_data(editor.colors)
             self._colors = editor.colors_version
+        self._sync_pins(editor)
+
+    def _sync_pins(self, editor: Editor) -> None:
+        """A dot on every pinned vertex, while the map is shown that says what they are pinned to.
+
+        Dots are as small as the mesh is fine: they never hide the colours between them.
+        """
+        shown = editor.map == "softness"
+        document = editor.document
+        version = shown and (document.revision["pinned"], editor.positions_version)
+        if version == self._pins:
+            return
+        self._pins = version
+        ps.remove_point_cloud(PINS, error_if_absent=False)
+        if shown and document.pinned.any():
+            at = editor.positions[document.pinned]
+            pins = ps.register_point_cloud(PINS, at, color=PIN_COLOR, material="flat")
+            pins.set_radius(self._pin_radius, relative=False)
 
     def _register(self, editor: Editor) -> None:
         polygons = editor.document.mesh.polygons
@@ -129,6 +151,11 @@ class View:
         self._mesh.set_edge_color(EDGE_COLOR)
         self._edges = False
         self._mesh.add_color_quantity(COLORS, editor.colors, enabled=True)
+        ends = editor.document.mesh.vertices[editor.neighbours.edges]
+        length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+        self._pin_radius = PIN_SIZE * float(length.mean()) if len(length) else 0.0
+        self._pins = None
+        self._sync_pins(editor)
         self._document = editor.document.serial
         self._positions = editor.positions_version
         self._colors = editor.colors_version

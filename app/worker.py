@@ -30,7 +30,8 @@ PATIENCE = 1.0
 class Worker(Protocol):
     """Of the requests of one kind the newest counts: an older one that waits is dropped.
 
-    A bind that is superseded while it runs gives no result; a refinement goes before no bind.
+    A bind that is superseded while it runs still gives its result, unless it fails; a refinement
+    goes before no bind.
     """
 
     def request(self, request: Request) -> None:
@@ -97,8 +98,6 @@ class ProcessWorker:
         """See Worker."""
         if self._closed:
             return
-        if isinstance(request, BindRequest):
-            self._abandon()
         self._waiting[type(request)] = _Job(request)
         self._advance()
 
@@ -192,21 +191,20 @@ class ProcessWorker:
             self._known = result.request.version
         if job.wanted:
             self._deaths = 0
-            self._results.append(result)
+            if not (isinstance(result, Failure) and self._superseded(job)):
+                self._results.append(result)
             if isinstance(result, Bound):
                 self._used = result.request
         elif isinstance(result, Failure) and job.request is self._used:
             self._give_up(RefineRequest, result.error)  # it needed that bind
 
+    def _superseded(self, job: _Job) -> bool:
+        return isinstance(job.request, BindRequest) and BindRequest in self._waiting
+
     def _give_up(self, kind: type[Request], error: SolverError) -> None:
         job = self._waiting.pop(kind, None)
         if job is not None:
             self._results.append(Failure(job.request, error))
-
-    def _abandon(self) -> None:
-        """A newer bind is asked for: nobody wants the result of an older one that runs."""
-        if self._running is not None and isinstance(self._running.request, BindRequest):
-            self._running.wanted = False
 
     def _replace_slow(self) -> None:
         job, following = self._running, self._waiting.get(BindRequest)

@@ -14,6 +14,7 @@ from typing import ClassVar, Literal, Protocol
 from app.brush import Brush, Neighbours
 from app.document import Document, Handle, clock
 from app.events import Input, Ray
+from app.heat import Heat
 from app.history import Gesture, History
 from app.picking import Hit, Picker
 from app.pose import Surface
@@ -83,6 +84,7 @@ class Workspace:
         self.history = History()
         self.surface = Surface(mesh)
         self.neighbours = Neighbours(mesh.faces, len(mesh.vertices))
+        self.heat = Heat(mesh)
         self._picker = Picker(mesh.faces)
         self._active = document.handles[0].key if document.handles else None
 

@@ -5,18 +5,18 @@ from __future__ import annotations
 import polyscope.imgui as psim
 
 from app import commands as c
-from app.colors import MAPS
 from app.editor import Editor
 from app.input import SHORTCUTS
+from app.panel.colours import colours
 from app.panel.files import FileRows
 from app.panel.regions import regions
-from app.panel.settings import pose, soft_parts
+from app.panel.settings import pose, soft_parts, softness_warnings
 from app.panel.tools import choose_tool, status, tool_options
 from app.panel.widgets import ERROR_COLOR, WIDTH
 
 __all__ = ["ERROR_COLOR", "WIDTH", "Panel"]
 
-SECTIONS = (status, choose_tool, tool_options, regions, soft_parts, pose)
+SECTIONS = (status, choose_tool, tool_options, regions, soft_parts, softness_warnings, pose)
 PLACE = (
     psim.ImGuiWindowFlags_NoTitleBar
     | psim.ImGuiWindowFlags_NoResize
@@ -28,6 +28,7 @@ HELP = (
     "Paint what stays (2), what you move (3), where it bends (4); then drag (5).",
     "Left drag beside the surface or with Navigate orbits, right drag pans,",
     "the wheel zooms. Shift while painting erases.",
+    "Dab soft and stiff spots with the softness brush, then Fill blends the rest.",
 )
 
 
@@ -53,7 +54,7 @@ class Panel:
             psim.PushItemWidth(-110.0)
             for section in SECTIONS:
                 section(editor, asked)
-            self._colours(editor, asked)
+            self.show_edges = colours(editor, self.show_edges, asked)
             self.files.draw(editor, asked)
             psim.PopItemWidth()
         finally:
@@ -61,14 +62,6 @@ class Panel:
         if self.show_help:
             self._help()
         return asked
-
-    def _colours(self, editor: Editor, asked: list[c.Command]) -> None:
-        psim.SeparatorText("Colours")
-        for name in MAPS:
-            if psim.RadioButton(name.capitalize(), editor.map == name):
-                asked.append(c.SetMap(name))
-            psim.SameLine()
-        _, self.show_edges = psim.Checkbox("Edges", self.show_edges)
 
     def _help(self) -> None:
         psim.SetNextWindowPos((WIDTH + 30.0, 30.0), psim.ImGuiCond_FirstUseEver)

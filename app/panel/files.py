@@ -9,6 +9,7 @@ import polyscope.imgui as psim
 from app import commands as c
 from app.editor import Editor
 from app.files import default_export_path, default_session_path, open_command
+from app.panel.widgets import REST_OF_LINE
 
 PATH_FIELD = psim.ImGuiInputTextFlags_EnterReturnsTrue | psim.ImGuiInputTextFlags_AutoSelectAll
 
@@ -55,7 +56,7 @@ def _row(label: str, hint: str, text: str) -> tuple[str, bool]:
     if psim.IsItemHovered() and text:
         psim.SetTooltip(text)
     psim.SameLine()
-    pressed = psim.Button(label, (-1.0, 0.0))
+    pressed = psim.Button(label, REST_OF_LINE)
     return text, bool(pressed or entered)
 
 

@@ -7,7 +7,7 @@ import polyscope.imgui as psim
 from app import commands as c
 from app.colors import ACTIVE_COLOR, FIXED_COLOR, OTHER_COLOR, SOFT_COLOR
 from app.editor import Editor
-from app.panel.widgets import BUTTON_COLUMN, disabled, swatch
+from app.panel.widgets import BUTTON_COLUMN, REST_OF_LINE, disabled, swatch
 from solver.types import FloatArray
 
 
@@ -33,11 +33,9 @@ def regions(editor: Editor, asked: list[c.Command]) -> None:
         psim.SameLine()
         psim.Text(f"{len(document.vertices_of(handle.key)):,}")
         psim.SameLine(BUTTON_COLUMN)
-        if psim.SmallButton("remove"):
+        if psim.Button("remove", REST_OF_LINE):
             asked.append(c.RemoveHandle(handle.key))
         psim.PopID()
-    if psim.Button("New handle"):
-        asked.append(c.AddHandle())
 
 
 def _row(
@@ -51,5 +49,5 @@ def _row(
     psim.Text(f"{label}  {count:,}")
     psim.SameLine(BUTTON_COLUMN)
     with disabled(count == 0):
-        if psim.SmallButton(f"clear##{label}"):
+        if psim.Button(f"clear##{label}", REST_OF_LINE):
             asked.append(clear)

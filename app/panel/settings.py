@@ -6,7 +6,7 @@ import polyscope.imgui as psim
 
 from app import commands as c
 from app.editor import Editor
-from app.panel.widgets import disabled, logarithmic
+from app.panel.widgets import BUSY_COLOR, BUTTON_COLUMN, REST_OF_LINE, disabled, halves, logarithmic
 from solver.material import PRESETS, Material, resolve_material
 
 SMALLEST_GAIN, LARGEST_GAIN = 0.01, 10.0
@@ -14,8 +14,21 @@ SHORTEST_BEND, LONGEST_BEND = 1e-3, 0.3
 HIGHEST_RIGID = 10
 
 
+def softness_warnings(editor: Editor, asked: list[c.Command]) -> None:
+    """What is wrong with the softness, and a button that mends most of it."""
+    warnings = editor.warnings
+    psim.PushTextWrapPos(BUTTON_COLUMN - 8.0)
+    for warning in warnings:
+        psim.TextColored(BUSY_COLOR, warning)
+    psim.PopTextWrapPos()
+    if warnings:
+        psim.SameLine(BUTTON_COLUMN)
+        if psim.Button("Smooth", REST_OF_LINE):
+            asked.append(c.SmoothSoftness())
+
+
 def soft_parts(editor: Editor, asked: list[c.Command]) -> None:
-    """Preset, gains and bending length."""
+    """Preset, gains, bending length and orientation."""
     psim.SeparatorText("Soft parts")
     document = editor.document
     names = [*PRESETS, "custom"]
@@ -25,32 +38,33 @@ def soft_parts(editor: Editor, asked: list[c.Command]) -> None:
     gains = resolve_material(material)
     if changed:
         asked.append(c.SetMaterial(gains if names[index] == "custom" else names[index]))
-    if not psim.TreeNode("gains and bending length"):
+    if not psim.TreeNode("gains, bending length, orientation"):
         return
-    for label in ("bending", "stretching"):
+    for label in halves("bending", "stretching"):
         moved, gain = logarithmic(
-            f"{label} gain", getattr(gains, label), SMALLEST_GAIN, LARGEST_GAIN
+            f"##{label}", getattr(gains, label), SMALLEST_GAIN, LARGEST_GAIN, f"{label} %.3g"
         )
+        psim.SetItemTooltip(f"How much of the {label} stiffness is left where all is soft")
         if moved:
             asked.append(c.SetMaterial(Material(**{**vars(gains), label: gain})))
     moved, length = logarithmic("bend length", document.bending_length, SHORTEST_BEND, LONGEST_BEND)
     psim.SetItemTooltip("How far a bend spreads, in diagonals of the mesh")
     if moved:
         asked.append(c.SetSetting("bending_length", length))
+    changed, on = psim.Checkbox("handles hold orientation", document.orientation)
+    if changed:
+        asked.append(c.SetSetting("orientation", on))
     psim.TreePop()
 
 
 def pose(editor: Editor, asked: list[c.Command]) -> None:
-    """Rigid level, orientation, reset, undo and redo."""
+    """Rigid level, reset, undo and redo."""
     psim.SeparatorText("Pose")
     document = editor.document
     moved, rigid = psim.SliderInt("rigid", document.rigid, 0, HIGHEST_RIGID)
     psim.SetItemTooltip("0: linear, shrinks in large turns. 1: keeps lengths. More: rounds of both")
     if moved:
         asked.append(c.SetSetting("rigid", rigid))
-    changed, on = psim.Checkbox("handles hold orientation", document.orientation)
-    if changed:
-        asked.append(c.SetSetting("orientation", on))
     if psim.Button("Reset pose (R)"):
         asked.append(c.ResetPose())
     psim.SameLine()

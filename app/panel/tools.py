@@ -7,11 +7,12 @@ import polyscope.imgui as psim
 from app import commands as c
 from app.editor import Editor
 from app.input import WindowAction
-from app.panel.widgets import BUSY_COLOR, CHOSEN_COLOR, WIDTH, logarithmic
+from app.panel.widgets import BUSY_COLOR, CHOSEN_COLOR, WIDTH, disabled, halves, logarithmic
+from app.soft_strokes import SOFTNESS_MODES
 from app.tools import TOOLS
 
-TOOLS_A_ROW = 3
-NOTHING = 1e-5  # seconds below which no drag has been
+TOOLS_A_ROW, HINT_LINES = 3, 2
+NOTHING = 5e-5  # seconds below which no drag has been
 BRUSH_RADII = 0.005, 0.3
 
 
@@ -20,7 +21,7 @@ def status(editor: Editor, asked: list[c.Command]) -> None:
     document = editor.document
     mark = " *" if editor.dirty else ""
     psim.Text(f"{document.path.name}{mark}")
-    psim.SameLine(WIDTH - 128.0)
+    psim.SameLine(WIDTH - 114.0)
     if psim.SmallButton("Frame"):
         asked.append(WindowAction("frame"))
     psim.SetItemTooltip("Show the whole mesh (F)")
@@ -30,14 +31,22 @@ def status(editor: Editor, asked: list[c.Command]) -> None:
     psim.SetItemTooltip("Keys and mouse (F1)")
     faces = len(document.mesh.outlines.sizes)
     psim.TextDisabled(f"{len(document.role):,} vertices, {faces:,} faces")
-    if editor.waits:
-        psim.TextColored(BUSY_COLOR, editor.hint)
-    else:
-        psim.TextWrapped(editor.hint)
+    _hint(editor)
     bound = editor.bind_seconds
     bind = "-" if bound is None else f"{1e3 * bound:.0f} ms"
     drag = f"{1e3 * editor.drag_seconds:.1f} ms" if editor.drag_seconds > NOTHING else "-"
     psim.TextDisabled(f"bind {bind}   drag frame {drag}")
+
+
+def _hint(editor: Editor) -> None:
+    """Takes two lines even where one is enough: what is below must not jump under the mouse."""
+    below = psim.GetCursorPosY() + HINT_LINES * psim.GetTextLineHeight()
+    below += psim.GetStyle().ItemSpacing[1]
+    if editor.waits:
+        psim.TextColored(BUSY_COLOR, editor.hint)
+    else:
+        psim.TextWrapped(editor.hint)
+    psim.SetCursorPosY(max(below, psim.GetCursorPosY()))
 
 
 def choose_tool(editor: Editor, asked: list[c.Command]) -> None:
@@ -64,12 +73,40 @@ def tool_options(editor: Editor, asked: list[c.Command]) -> None:
         moved, radius = logarithmic("brush radius", brush.radius, *BRUSH_RADII, "%.3f")
         if moved:
             asked.append(c.SetBrush(radius=radius))
+    if editor.tool == "handle":
+        if psim.Button("New handle"):
+            asked.append(c.AddHandle())
+        psim.SetItemTooltip("Strokes from now on paint another handle")
     if editor.tool == "softness":
-        for label in ("value", "strength"):
-            moved, number = psim.SliderFloat(label, getattr(brush, label), 0.0, 1.0, "%.2f")
-            if moved:
-                asked.append(c.SetBrush(**{label: number}))
+        _softness_options(editor, asked)
     if editor.tool == "drag":
         changed, turn = psim.Checkbox("turns by itself", editor.turn)
         if changed:
             asked.append(c.SetTurn(turn))
+
+
+def _softness_options(editor: Editor, asked: list[c.Command]) -> None:
+    brush, pinned = editor.brush, bool(editor.document.pinned.any())
+    for number, mode in enumerate(SOFTNESS_MODES):
+        if number:
+            psim.SameLine()
+        if psim.RadioButton(mode, brush.mode == mode):
+            asked.append(c.SetBrush(mode=mode))
+    for label in halves("value", "strength"):
+        with disabled(label == "value" and brush.mode == "smooth"):
+            moved, share = psim.SliderFloat(
+                f"##{label}", getattr(brush, label), 0.0, 1.0, f"{label} %.2f"
+            )
+        if moved:
+            asked.append(c.SetBrush(**{label: share}))
+    for label, command, usable, tip in (
+        ("Fill", c.FillSoftness(), pinned, "Keep what is pinned (dots), blend everything between"),
+        ("Smooth all", c.SmoothSoftness(), True, "Even out the whole field"),
+        ("Clear pins", c.ClearPins(), pinned, "Pin nothing; the softness stays"),
+    ):
+        with disabled(not usable):
+            if psim.Button(label):
+                asked.append(command)
+        psim.SetItemTooltip(tip)
+        psim.SameLine()
+    psim.NewLine()

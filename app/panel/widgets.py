@@ -11,6 +11,7 @@ from solver.types import FloatArray
 
 WIDTH = 310.0
 BUTTON_COLUMN = WIDTH - 86.0  # where the buttons behind a region begin
+REST_OF_LINE = (-1.0, 0.0)
 ERROR_COLOR = (1.0, 0.45, 0.4, 1.0)
 BUSY_COLOR = (1.0, 0.8, 0.3, 1.0)
 CHOSEN_COLOR = (0.18, 0.5, 0.85, 1.0)
@@ -24,6 +25,16 @@ def logarithmic(
         label, value, low, high, text, psim.ImGuiSliderFlags_Logarithmic
     )
     return bool(moved), min(max(value, low), high)
+
+
+def halves(*labels: str) -> Iterator[str]:
+    """The labels of two widgets that share a line; what they are called stands inside them."""
+    width = 0.5 * (psim.GetContentRegionAvail()[0] - psim.GetStyle().ItemSpacing[0])
+    for number, label in enumerate(labels):
+        if number:
+            psim.SameLine()
+        psim.SetNextItemWidth(width)
+        yield label
 
 
 def swatch(color: FloatArray) -> None:

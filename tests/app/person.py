@@ -122,4 +122,5 @@ def state(document: Document) -> tuple[object, ...]:
         document.bending_length,
         document.orientation,
         document.rigid,
+        document.pinned.tobytes(),
     )

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from app import commands as c
+from app.soft_strokes import SOFTNESS_MODES
 from solver import Material
 from tests.app.person import Person, slab, state
 
@@ -70,6 +71,10 @@ ACTS = [
     of_some_handle(lambda key: c.RenameHandle(key, f"name {key}")),
     ask(lambda p, r: c.ClearFixed()),
     ask(lambda p, r: c.ClearSoftness()),
+    ask(lambda p, r: c.SetBrush(mode=str(r.choice(list(SOFTNESS_MODES))))),
+    ask(lambda p, r: c.FillSoftness()),
+    ask(lambda p, r: c.SmoothSoftness()),
+    ask(lambda p, r: c.ClearPins()),
     ask(lambda p, r: c.ResetPose()),
     ask(lambda p, r: c.SetMaterial(str(r.choice(["hinge", "clay", "paper"])))),
     ask(lambda p, r: c.SetMaterial(Material(float(r.uniform(0.1, 2)), 1.0))),
@@ -85,7 +90,7 @@ def test_undo_and_redo_restore_the_exact_document(seed: int) -> None:
     person = Person(slab(20, 4, 2.0))
     editor = person.editor
     states = [state(editor.document)]
-    for _ in range(25):
+    for _ in range(35):
         ACTS[random.integers(len(ACTS))](person, random)
         # A slide of a slider ends when the mouse is let go.
         person.frame(None, "r")

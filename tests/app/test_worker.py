@@ -198,10 +198,12 @@ def test_of_the_requests_that_wait_the_newest_wins(solver_process: ProcessWorker
             requests.append(BindRequest.of(made))
             solver_process.request(requests[-1])
             assert solver_process.busy
-    # the first was running and is superseded, the others never ran
-    (bound,) = results(solver_process)
-    assert isinstance(bound, Bound)
-    assert bound.request is requests[-1]
+    # the first was running already, the others never ran
+    arrived = results(solver_process)
+    assert [result.request for result in arrived if isinstance(result, Bound)] == [
+        requests[0],
+        requests[-1],
+    ]
     wishes = [refinement(requests[-1], x=float(-x)) for x in range(1, 9)]
     with frozen(solver_process):
         for wish in wishes:
@@ -211,6 +213,39 @@ def test_of_the_requests_that_wait_the_newest_wins(solver_process: ProcessWorker
         wishes[0],
         wishes[-1],
     ]
+
+
+@POSIX
+def test_what_goes_wrong_with_a_superseded_bind_is_nobodys_business(
+    solver_process: ProcessWorker,
+) -> None:
+    made = document()
+    with frozen(solver_process):
+        for value in (-1.0, 0.02):
+            made.change("bending_length", value)
+            request = BindRequest.of(made)
+            solver_process.request(request)
+    (bound,) = results(solver_process)
+    assert isinstance(bound, Bound)
+    assert bound.request is request
+
+
+def test_a_bind_brings_the_pose_of_its_handles_along(solver_process: ProcessWorker) -> None:
+    made = document()
+    for transform, rigid in ((np.eye(4), 1), (TARGET, 0), (TARGET, 1), (TARGET, 3)):
+        made.change("handles", made.with_handle(made.handles[0].key, transform=transform))
+        made.change("rigid", rigid)
+        request = BindRequest.of(made)
+        solver_process.request(request)
+        (bound,) = results(solver_process)
+        assert isinstance(bound, Bound)
+        if rigid == 0 or transform is not TARGET:
+            assert bound.pose is None
+            continue
+        assert bound.pose is not None
+        wish = refinement(request, rigid)
+        np.testing.assert_array_equal(bound.pose.request.transforms, wish.transforms)
+        np.testing.assert_allclose(bound.pose.positions, expected(request, wish), atol=1e-12)
 
 
 def test_a_refinement_for_a_bind_no_longer_in_use_is_dropped(
