@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.requests import BindRequest, Bound, Refined, Restarted, Result
+from app.worker.requests import BindRequest, Bound, Refined, Restarted, Result
 from app.workspace import Workspace
 from solver.errors import SolverError
 

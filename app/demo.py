@@ -17,7 +17,7 @@ from app.document import Document
 from app.editor import Editor
 from app.events import Input
 from app.graphics import GraphicsError, loading
-from app.worker import ProcessWorker
+from app.worker.client import ProcessWorker
 from solver import load_mesh
 from solver.errors import SolverError
 

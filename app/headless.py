@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from app.bench import bind
 from app.document import Document
 from app.files import load_document
-from app.requests import BindRequest
+from app.worker.bench import bind
+from app.worker.requests import BindRequest
 from solver import load_mesh
 from solver.report import MeshReport, report
 from solver.types import FloatArray

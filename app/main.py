@@ -17,7 +17,7 @@ from app.input import WindowAction, read_mouse, read_shortcuts
 from app.panel import ERROR_COLOR, WIDTH, Panel
 from app.session import write_session
 from app.view import View, open_window
-from app.worker import ProcessWorker, Worker
+from app.worker.client import ProcessWorker, Worker
 from solver.errors import SolverError
 
 FRAME_SECONDS = 1 / 60

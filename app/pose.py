@@ -7,7 +7,7 @@ import time
 import numpy as np
 
 from app.document import Document, clock
-from app.requests import Bound, Refined, RefineRequest
+from app.worker.requests import Bound, Refined, RefineRequest
 from solver.errors import SolverError
 from solver.mesh import Mesh
 from solver.orientation import rigid_fit

@@ -18,7 +18,7 @@ from app.heat import Heat
 from app.history import Gesture, History
 from app.picking import Hit, Picker
 from app.pose import Surface
-from app.worker import Worker
+from app.worker.client import Worker
 from solver.types import FloatArray
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TypeVar
 from unittest.mock import patch
 
-from app.process import ONE_THREAD
+from app.worker.process import ONE_THREAD
 from benchmarks import machine, plot, report, steps
 from benchmarks.figure import Figure
 

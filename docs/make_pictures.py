@@ -32,7 +32,7 @@ from app.demo import (
 from app.document import Document
 from app.editor import Editor
 from app.panel import WIDTH
-from app.worker import ProcessWorker
+from app.worker.client import ProcessWorker
 from solver import load_mesh
 from tests.gui.display import VirtualDisplay
 from tests.gui.person import Person

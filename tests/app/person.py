@@ -12,9 +12,9 @@ from app.commands import Command, SetBrush, SetTool
 from app.document import Document
 from app.editor import Editor
 from app.events import Input, Ray
-from app.inline import InlineWorker
-from app.requests import Request
-from app.worker import Worker
+from app.worker.client import Worker
+from app.worker.inline import InlineWorker
+from app.worker.requests import Request
 from solver import Mesh
 from solver.types import FloatArray, IntArray
 

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from app import pose
-from app.bench import bind
 from app.commands import ActivateHandle, AddHandle, Export, ResetPose, SetSetting, SetTurn, Undo
 from app.document import FIRST_HANDLE, FIXED, FREE
-from app.inline import InlineWorker
-from app.requests import BindRequest, Refined, RefineRequest, Request, Result
-from app.worker import Worker
+from app.worker.bench import bind
+from app.worker.client import Worker
+from app.worker.inline import InlineWorker
+from app.worker.requests import BindRequest, Refined, RefineRequest, Request, Result
 from solver.drag import DragModel
 from solver.types import FloatArray
 from tests.app.person import IdleWorker, Person, slab

@@ -10,8 +10,8 @@ from app import commands as c
 from app.binding import BindError
 from app.document import Document
 from app.editor import HANDLERS
-from app.requests import BindRequest
 from app.tools import TOOLS
+from app.worker.requests import BindRequest
 from solver import Mesh
 from tests.app.person import IdleWorker, Person, sheet, slab, state
 

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from app import commands as c
-from app.bench import bind
 from app.files import load_document, open_command
-from app.requests import BindRequest
+from app.worker.bench import bind
+from app.worker.requests import BindRequest
 from solver import load_mesh
 from tests.app.person import Person, slab, state
 

@@ -14,9 +14,9 @@ from app.bundled import DEFAULT_SESSION
 from app.document import FIXED
 from app.editor import Editor
 from app.files import load_document
-from app.inline import InlineWorker
 from app.session import read_session, to_document, write_session
 from app.soft_strokes import SOFTNESS_MODES
+from app.worker.inline import InlineWorker
 from solver import Material, Mesh
 from solver.stencil import cotangent_laplacian
 from solver.types import FloatArray, IntArray

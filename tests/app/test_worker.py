@@ -15,11 +15,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app import process, worker
-from app.bench import Bench, bind
 from app.document import Document
-from app.inline import InlineWorker
-from app.requests import (
+from app.worker import client, process
+from app.worker.bench import Bench, bind
+from app.worker.client import ProcessWorker, Worker
+from app.worker.inline import InlineWorker
+from app.worker.requests import (
     BindRequest,
     Bound,
     Failure,
@@ -29,7 +30,6 @@ from app.requests import (
     Result,
     WorkerError,
 )
-from app.worker import ProcessWorker, Worker
 from solver import MaterialError
 from solver.types import FloatArray
 from tests.app.person import Person, slab
@@ -282,7 +282,7 @@ def test_what_was_dropped_is_never_polled(solver_process: ProcessWorker) -> None
 def test_a_bind_of_another_mesh_does_not_wait_for_a_long_one(
     solver_process: ProcessWorker, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(worker, "PATIENCE", 0.0)
+    monkeypatch.setattr(client, "PATIENCE", 0.0)
     first = BindRequest.of(document())
     solver_process.request(first)
     results(solver_process)
@@ -396,7 +396,7 @@ def test_a_request_that_ends_every_process_is_an_error_in_the_end(
         assert solver_process.wait(WAIT)
         arrived += solver_process.poll()
     *restarts, failure = arrived
-    assert len(restarts) == worker.ATTEMPTS - 1
+    assert len(restarts) == client.ATTEMPTS - 1
     assert all(isinstance(result, Restarted) for result in restarts)
     assert isinstance(failure, Failure)
     assert failure.request is wish
@@ -457,7 +457,7 @@ def test_closing_leaves_no_process_and_no_memory() -> None:
 
 SCRIPT = """
 import sys
-from app.worker import ProcessWorker
+from app.worker.client import ProcessWorker
 from tests.app.test_worker import BindRequest, document, results
 
 if __name__ == "__main__":
@@ -497,7 +497,7 @@ def test_nothing_is_left_when_the_window_ends_without_closing(tmp_path: Path, en
 
 
 def test_the_process_knows_no_window_and_its_start_holds_nobody_up() -> None:
-    code = "import sys, app.worker_process; print([n for n in sys.modules if 'polyscope' in n])"
+    code = "import sys, app.worker.child; print([n for n in sys.modules if 'polyscope' in n])"
     found = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
     assert found.stdout.strip() == "[]"
     environment = dict(os.environ)

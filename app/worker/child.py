@@ -8,8 +8,8 @@ from __future__ import annotations
 import signal
 from multiprocessing.connection import Connection
 
-from app.bench import Bench
-from app.shared import Guest, Packed, unpack
+from app.worker.bench import Bench
+from app.worker.shared import Guest, Packed, unpack
 
 
 def serve(connection: Connection) -> None:

@@ -9,9 +9,9 @@ from contextlib import contextmanager
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 
-from app.requests import Answer, Request
-from app.shared import Block, Packed, unpack
-from app.worker_process import serve
+from app.worker.child import serve
+from app.worker.requests import Answer, Request
+from app.worker.shared import Block, Packed, unpack
 
 # The same everywhere: Windows and macOS know no other safe way.
 CONTEXT = multiprocessing.get_context("spawn")

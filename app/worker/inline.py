@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from app.bench import Bench
-from app.requests import Request, Result, result_of
+from app.worker.bench import Bench
+from app.worker.requests import Request, Result, result_of
 
 
 class InlineWorker:

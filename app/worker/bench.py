@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from app.requests import Answer, BindRequest, RefineRequest, Request, WorkerError
+from app.worker.requests import Answer, BindRequest, RefineRequest, Request, WorkerError
 from solver import Deformer
 from solver.drag import DragModel
 from solver.errors import SolverError

@@ -6,8 +6,8 @@ import time
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from app.process import ProcessDied, SolverProcess
-from app.requests import (
+from app.worker.process import ProcessDied, SolverProcess
+from app.worker.requests import (
     Answer,
     BindRequest,
     Bound,
