@@ -47,6 +47,8 @@ def soften(
 
     moments: those of all grabs together. A hard handle's basis loses what would change them.
     """
+    if not grabs:
+        return hard
     hard_count, soft_count = hard.basis.shape[1], 4 * len(grabs)
     wanted = np.zeros((soft_count, soft_count))
     B = np.hstack([hard.basis, np.zeros((len(hard.basis), soft_count))])

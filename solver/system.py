@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 
-from solver.constraints import Constraints
+from solver.constraints import FIXED, Constraints
 from solver.energy import ElementWeights
 from solver.factor import Analysis, Factor, analyse
 from solver.shape import RestShape
@@ -29,9 +29,8 @@ class Layout:
         number[self.free] = np.arange(len(self.free))
         rows, columns = number[self.stencil.rows], number[self.stencil.columns]
         self.inner = np.flatnonzero((rows >= 0) & (columns >= 0))
-        group = constraints.row_group
-        moved = np.maximum(group[self.stencil.rows], group[self.stencil.columns]) > 0
-        self.outer = np.flatnonzero(moved)
+        moved = constraints.row_group > FIXED
+        self.outer = np.flatnonzero(moved[self.stencil.rows] | moved[self.stencil.columns])
         order = shape.elimination_order
         if order is not None:
             order = number[order]

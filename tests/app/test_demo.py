@@ -18,7 +18,6 @@ from solver.types import FloatArray
 from tests.app.command import WITHOUT_GRAPHICS, run
 
 DEMO = ("before.png", "softness.png", "after.png")
-FIGURES = ("figure-04.png", "figure-06.png", "figure-07.png")
 
 
 @pytest.fixture(scope="module")
@@ -89,24 +88,15 @@ def test_the_session_gives_the_same_surface_again(
 
 
 @pytest.mark.skipif(find_spec("polyscope") is None, reason="polyscope is not installed")
-@pytest.mark.parametrize(("command", "names"), [("demo", DEMO), ("figures", FIGURES)])
-def test_pictures_need_no_display(command: str, names: tuple[str, ...], tmp_path: Path) -> None:
-    done = run(command, "-o", tmp_path)
+def test_pictures_need_no_display(tmp_path: Path) -> None:
+    done = run("demo", "-o", tmp_path)
     if "nothing can be drawn" in done.stderr:
         pytest.skip(f"this machine cannot draw without a display: {done.stderr}")
     assert (done.returncode, done.stderr) == (0, "")
-    pictures = [(tmp_path / name).read_bytes() for name in names]
-    for name, data in zip(names, pictures, strict=True):
+    pictures = [(tmp_path / name).read_bytes() for name in DEMO]
+    for name, data in zip(DEMO, pictures, strict=True):
         assert data[:8] == b"\x89PNG\r\n\x1a\n"
         assert struct.unpack(">II", data[16:24]) == PICTURE_SIZE
         assert len(data) > 30_000, "a picture of one colour is far smaller"
         assert name in done.stdout, "each is named with a caption"
     assert len(set(pictures)) == len(pictures), "each shows something else"
-
-
-def test_figures_say_that_nothing_can_be_drawn(tmp_path: Path) -> None:
-    done = run("figures", "-o", tmp_path, code=WITHOUT_GRAPHICS)
-    assert done.returncode == 2
-    assert done.stderr.startswith("python -m app: nothing can be drawn on this machine")
-    assert done.stderr.count("\n") == 1
-    assert list(tmp_path.iterdir()) == []
