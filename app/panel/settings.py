@@ -62,7 +62,9 @@ def pose(editor: Editor, asked: list[c.Command]) -> None:
     psim.SeparatorText("Pose")
     document = editor.document
     moved, rigid = psim.SliderInt("rigid", document.rigid, 0, HIGHEST_RIGID)
-    psim.SetItemTooltip("0: linear, shrinks in large turns. 1: keeps lengths. 4: best for large bends")
+    psim.SetItemTooltip(
+        "0: linear, shrinks in large turns. 1: keeps lengths. 4: best for large bends"
+    )
     if moved:
         asked.append(c.SetSetting("rigid", rigid))
     if psim.Button("Reset pose (R)"):
