@@ -78,6 +78,6 @@ def strain_and_dihedral(case: Case, X: FloatArray) -> tuple[float, float]:
 
 
 def fold_of(case: Case, X: FloatArray) -> Fold:
-    """Of a case with a limb: within the band that the design's table takes."""
+    """Of a case with a limb: within the band that the study takes."""
     assert case.limb is not None
     return case.limb.fold(X, case.joint, BAND * case.diagonal)

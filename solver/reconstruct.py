@@ -39,15 +39,7 @@ def reconstruct(
     faces = as_faces(F, np.iinfo(np.int64).max)  # the faces say how many vertices there are
     topology = Topology(faces, int(faces.max()) + 1)
     _check(topology, forms, seed_face)
-    frame = np.eye(3) if seed_frame is None else as_floats(seed_frame, "seed_frame", MeshError)
-    position = np.zeros(3)
-    if seed_position is not None:
-        position = as_floats(seed_position, "seed_position", MeshError)
-    if frame.shape != (3, 3) or position.shape != (3,):
-        raise MeshError(
-            f"the seed must be a (3, 3) frame and a (3,) position, got {frame.shape} and "
-            f"{position.shape}"
-        )
+    frame, position = _seed(seed_frame, seed_position)
     n = topology.vertex_count
     # Solved in units of the surface's size: positions and frames are then of one magnitude.
     size = np.sqrt(heron(forms.lengths[topology.half_edge_edge]).sum())
@@ -65,6 +57,16 @@ def reconstruct(
     for _ in range(1 + REFINEMENTS):
         U[free] -= factor.solve(normal @ (D @ U))
     return size * U[:n] + position
+
+
+def _seed(frame: ArrayLike | None, position: ArrayLike | None) -> tuple[FloatArray, FloatArray]:
+    f = np.eye(3) if frame is None else as_floats(frame, "seed_frame", MeshError)
+    p = np.zeros(3) if position is None else as_floats(position, "seed_position", MeshError)
+    if f.shape != (3, 3) or p.shape != (3,):
+        raise MeshError(
+            f"the seed must be a (3, 3) frame and a (3,) position, got {f.shape} and {p.shape}"
+        )
+    return f, p
 
 
 def _check(topology: Topology, forms: FundamentalForms, seed_face: int) -> None:
