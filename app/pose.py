@@ -10,7 +10,6 @@ from app.document import Document, clock
 from app.worker.requests import Bound, Refined, RefineRequest
 from solver.errors import SolverError
 from solver.mesh import Mesh
-from solver.orientation import rigid_fit
 from solver.types import FloatArray
 
 FRAME_BUDGET = 0.030  # seconds a rigid level may take for a drag to begin with it
@@ -166,14 +165,6 @@ class Surface:
         handles = [document.find(key) for key in keys]
         transforms = [np.eye(4) if handle is None else handle.transform for handle in handles]
         return np.array(transforms).reshape(-1, 4, 4)
-
-
-def rigid_motion(rest: FloatArray, moved: FloatArray) -> FloatArray:
-    """argmin over rigid T, (4, 4), of sum ||T rest - moved||^2, for points (k, 3) each."""
-    transform = np.eye(4)
-    transform[:3, :3] = R = rigid_fit(rest, moved)
-    transform[:3, 3] = moved.mean(axis=0) - R @ rest.mean(axis=0)
-    return transform
 
 
 def _at_rest(transforms: FloatArray) -> bool:

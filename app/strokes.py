@@ -12,8 +12,8 @@ from app.document import FREE, Document
 from app.events import Input, Ray
 from app.history import Gesture
 from app.picking import Hit
-from app.pose import rigid_motion
 from app.workspace import Workspace
+from solver.orientation import rigid_motion
 from solver.types import BoolArray, FloatArray, IntArray
 
 

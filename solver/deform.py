@@ -13,10 +13,12 @@ from numpy.typing import ArrayLike
 
 from solver.arrays import as_floats
 from solver.binding import Binding, Options, bind
-from solver.drag import DragModel
+from solver.constraints import FIXED
+from solver.drag import DragModel, Transforms
 from solver.errors import ConstraintError
+from solver.halfway import half_way, squared
 from solver.material import EdgeGains, Material
-from solver.orientation import rigid_fit
+from solver.orientation import rigid_motion
 from solver.response import soften
 from solver.rigidity import Rigidity
 from solver.shape import RestShape
@@ -91,12 +93,14 @@ class Deformer:
 
         rigid 0: the linear minimiser, one small dense product and no solve. rigid 1: the nearest
         rotation of every frame, then one Poisson solve. rigid k: k - 1 further rounds, each of
-        lower energy; 4 is all but settled. docs/quality.md has what they are worth.
+        lower energy; 4 is all but settled. docs/quality.md has what they are worth. Where a
+        handle turns far they have other starts too, and the lowest end counts (see half_way).
         Raises ConstraintError.
         """
         if _as_level(rigid) == 0:
             return self.drag_model.pose(transforms)
-        return self._refine(self._response.basis @ self.drag_model.steps(transforms), rigid)
+        displacement = self._response.basis @ self.drag_model.steps(transforms)
+        return self._refine(displacement, rigid, self._others(transforms) if rigid > 1 else ())
 
     def solve(self, targets: ArrayLike, rigid: int = 0) -> FloatArray:
         """X, (n, 3), for any target positions (k, 3) of np.concatenate(handles).
@@ -113,17 +117,21 @@ class Deformer:
         U = np.zeros((shape.row_count, 3))
         splits = np.cumsum([len(h) for h in self._handles])[:-1]
         parts = zip(self._handles, np.split(X, splits), strict=False)  # no handles: one empty part
+        motions = [np.eye(4)] * self.handle_count
         for number, (vertices, goal) in enumerate(parts):
             rest = shape.vertices[vertices]
+            motions[number] = rigid_motion(rest, goal)
             held = self._binding.constraints.row_group == 1 + number
-            U[held] = shape.affine_rows[held, :3] @ (rigid_fit(rest, goal).T - np.eye(3))
+            U[held] = shape.affine_rows[held, :3] @ (motions[number][:3, :3].T - np.eye(3))
             U[vertices] = (goal - rest) / shape.scale
         U = self._system.respond(U)
         free = self._system.free
         U[free] = self._moments.meet(U[free], np.zeros((4 * len(self._grabs), 3)))
-        return self._refine(U, rigid) if rigid > 0 else shape.displace(U[: len(shape.points)])
+        if rigid == 0:
+            return shape.displace(U[: len(shape.points)])
+        return self._refine(U, rigid, self._others(motions) if rigid > 1 else ())
 
-    def frames(self, transforms: Sequence[ArrayLike]) -> FloatArray:
+    def frames(self, transforms: Transforms) -> FloatArray:
         """G, (m, 3, 3): the linear frames, rest to deformed; the identity at rest."""
         n = len(self._shape.points)
         rows = self._shape.affine_rows[n:, :3] + (
@@ -206,10 +214,18 @@ class Deformer:
             binding.options.bending_length,
         )
 
-    def _refine(self, displacement: FloatArray, rounds: int) -> FloatArray:
+    def _others(self, transforms: Sequence[ArrayLike]) -> list[FloatArray]:
+        """Rows of R', R the squared rotations of active triangles in each half-way pose."""
+        anchored = bool((self._binding.constraints.row_group == FIXED).any())
+        halves, M = half_way(transforms, anchored)
+        return [squared(self.frames(H)[self._system.active], M) for H in halves]
+
+    def _refine(
+        self, displacement: FloatArray, rounds: int, others: Sequence[FloatArray] = ()
+    ) -> FloatArray:
         shape = self._shape
         U = shape.affine_rows[:, :3] + displacement
-        X = self._rigidity.refine(U, rounds)
+        X = self._rigidity.refine(U, rounds, others)
         return shape.displace(X - shape.points)
 
 

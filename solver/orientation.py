@@ -51,6 +51,14 @@ def procrustes(M: FloatArray) -> FloatArray:
     return R
 
 
+def rigid_motion(rest: FloatArray, moved: FloatArray) -> FloatArray:
+    """argmin over rigid T, (4, 4), of sum ||T rest - moved||^2, for points (k, 3) each."""
+    transform = np.eye(4)
+    transform[:3, :3] = R = rigid_fit(rest, moved)
+    transform[:3, 3] = moved.mean(axis=0) - R @ rest.mean(axis=0)
+    return transform
+
+
 def rigid_fit(rest: FloatArray, target: FloatArray) -> FloatArray:
     """R, (3, 3): the rotation that best takes points `rest` (k, 3) to `target` (k, 3).
 

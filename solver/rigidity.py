@@ -81,19 +81,28 @@ class Rigidity:
     def _shell(self) -> Shell:
         return Shell(self._K, self._n, self._turning, self._ratio)
 
-    def refine(self, U: FloatArray, rounds: int) -> FloatArray:
+    def refine(self, U: FloatArray, rounds: int, others: Sequence[FloatArray] = ()) -> FloatArray:
         """Rows U (n + 3m, 3) of the linear result become positions (n, 3).
 
         The first round takes the nearest rotation of every frame and solves for positions; for
-        the others see `descend`.
+        the others see `descend`. They start from each of `others`, rows of R' of active triangles,
+        too, and the end of lowest energy counts.
         """
         moments = self._moments.of(U[self._free])
         R = nearest_rotations(U[self._frames].reshape(-1, 3, 3))
         X = self.positions(U[: self._n], R, moments)
-        if rounds > 1 and len(self._turning) > 0:
-            *_, last = islice(self.descend(X, R, moments), rounds)
-            X = last.X
-        return X
+        if rounds == 1 or len(self._turning) == 0:
+            return X
+        ends = [self._last(X, R, moments, rounds)]
+        for rows in others:
+            R = R.copy()
+            R[self._turning] = rows[self._turning]
+            ends.append(self._last(self.positions(X, R, moments), R, moments, rounds))
+        return min(ends, key=lambda state: state.energy).X
+
+    def _last(self, X: FloatArray, R: FloatArray, moments: FloatArray, rounds: int) -> State:
+        *_, last = islice(self.descend(X, R, moments), rounds)
+        return last
 
     def descend(self, X: FloatArray, R: FloatArray, moments: FloatArray) -> Iterator[State]:
         """States of lower and lower energy (see Shell), the first of them as given.

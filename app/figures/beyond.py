@@ -11,8 +11,8 @@ from app.colors import FIXED_COLOR, viridis
 from app.figures.arm import ELBOW, JOINT, Arm, turn
 from app.figures.figure import Figure, soft
 from app.figures.measures import ArmMeasures, Numbers
-from app.pose import rigid_motion
 from solver import Deformer, interpolate_softness
+from solver.orientation import rigid_motion
 from solver.softness import check_softness
 from solver.types import BoolArray, FloatArray
 

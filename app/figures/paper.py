@@ -10,8 +10,8 @@ import numpy as np
 from app.figures.arm import JOINT, REACH, SHOULDER, WRIST, Arm, Gains, turn
 from app.figures.figure import Figure, plain, regions, soft
 from app.figures.measures import ArmMeasures, Numbers
-from app.pose import rigid_motion
 from solver import PRESETS, fundamental_forms, reconstruct
+from solver.orientation import rigid_motion
 from solver.types import FloatArray
 
 # The paper weighs bending by a length of about six radii of its arm: so is this, in diagonals.
