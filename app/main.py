@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import sys
 import time
 import traceback
@@ -156,7 +157,9 @@ def keep_unsaved(editor: Editor) -> None:
     if not editor.dirty:
         return
     session = default_session_path(editor)
-    spare = session.with_name(f"{session.stem}-unsaved.json")
+    numbers = itertools.chain([""], (f"-{number}" for number in itertools.count(2)))
+    paths = (session.with_name(f"{session.stem}-unsaved{number}.json") for number in numbers)
+    spare = next(path for path in paths if not path.exists())
     try:
         write_session(spare, editor.document)
     except SolverError as error:

@@ -70,8 +70,10 @@ def rows(results: Sequence[Result]) -> list[list[str]]:
     for step, limit in GROWTH.items():
         times = [result.times[step] for result in results]
         found.append(_growth(step, sizes, times, limit))
-    if all(result.memory for result in results):
-        memory = [result.memory[steps.ONE] - result.memory[steps.START] for result in results]
+    memory = [
+        result.memory[steps.ONE] - result.memory[steps.START] for result in results if result.memory
+    ]
+    if len(memory) == len(results) and min(memory) > 0:
         found.append(_growth("memory that a bind adds", sizes, memory, MEMORY_GROWTH))
     return found
 

@@ -10,7 +10,10 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import pytest
 
+from app.commands import AddHandle
+from tests.app.person import Person as Hand
 from tests.app.person import slab
 
 from .display import VirtualDisplay
@@ -82,3 +85,15 @@ def test_a_wrong_file_on_the_command_line_ends_the_window(
     )
     assert (done.returncode, done.stdout) == (2, "")
     assert re.fullmatch(r"python -m app: m.obj, line 4: [^\n]*vertex 4[^\n]*\n", done.stderr)
+
+
+def test_work_kept_before_is_never_replaced(tmp_path: Path) -> None:
+    keep_unsaved = pytest.importorskip("app.main", exc_type=ImportError).keep_unsaved
+    hand = Hand(slab(8, 4, 2.0), tmp_path / "slab.obj")
+    try:
+        for count in (1, 2, 3):
+            hand.do(AddHandle(f"handle {count}"))
+            keep_unsaved(hand.editor)
+            assert len(list(tmp_path.glob("slab-unsaved*.json"))) == count
+    finally:
+        hand.editor.close()
