@@ -65,7 +65,7 @@ def walkthrough() -> None:
     """The window after each step of the walkthrough."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        display = VirtualDisplay(folder)
+        display = VirtualDisplay(folder, pointer=True)
         try:
             _walk(Person(display, [str(DEFAULT_MESH)], folder))
         finally:

@@ -18,14 +18,21 @@ START_SECONDS = 20
 
 
 class VirtualDisplay:
-    """An Xvfb server with one 24-bit screen; `folder` holds its framebuffer and its log."""
+    """An Xvfb server with one 24-bit screen; `folder` holds its framebuffer and its log.
 
-    def __init__(self, folder: Path, width: int = 1600, height: int = 1000) -> None:
+    pointer: whether its pictures show the mouse pointer, which the server draws some time later.
+    """
+
+    def __init__(
+        self, folder: Path, width: int = 1600, height: int = 1000, pointer: bool = False
+    ) -> None:
         self._framebuffer = folder / "Xvfb_screen0"
         screen = f"{width}x{height}x24"
         read_end, write_end = os.pipe()
         command = ["Xvfb", "-displayfd", str(write_end), "-screen", "0", screen]
         command += ["-fbdir", str(folder), "-nolisten", "tcp", "-noreset"]
+        if not pointer:
+            command.append("-nocursor")
         with (folder / "xvfb.log").open("wb") as log:
             self._server = subprocess.Popen(command, pass_fds=[write_end], stdout=log, stderr=log)
         os.close(write_end)

@@ -155,7 +155,7 @@ class Person:
         return int(geometry["WIDTH"]), int(geometry["HEIGHT"])
 
     def picture(self) -> Picture:
-        """What the window shows, the mouse pointer included, (height, width, 3)."""
+        """What the window shows, (height, width, 3)."""
         width, height = self.size()
         return self._display.picture()[:height, :width]
 

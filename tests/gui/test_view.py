@@ -12,8 +12,6 @@ from .scene import Scene, World
 
 CHEST: World = (0.0, 1.2, 0.1)
 
-POINTER = 24  # pixels from its tip that the mouse pointer covers
-
 
 def test_the_camera_is_still_while_something_is_painted_or_dragged(ready: Scene) -> None:
     scene, person = ready, ready.person
@@ -69,9 +67,7 @@ def test_a_circle_shows_the_brush(mannequin: Scene) -> None:
         """Distances, in pixels, of what the brush changes in the picture from the cursor."""
         person.wait_still()
         y, x = np.nonzero((scene.view() != plain).any(axis=2))
-        away = np.hypot(x + scene.panel - cursor[0], y - cursor[1])
-        # The screen may draw the mouse pointer some time after it has moved.
-        return np.asarray(away[away > POINTER])
+        return np.hypot(x + scene.panel - cursor[0], y - cursor[1])
 
     assert ring().size == 0, "no circle while navigating"
     person.key("2")
