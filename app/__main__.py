@@ -56,7 +56,7 @@ def _window(arguments: Sequence[str]) -> None:
         options.session = DEFAULT_SESSION
     # Polyscope is loaded here, so that the commands without a window need no graphics library.
     with loading():
-        from app.main import run_window
+        from app.window.main import run_window
     run_window(options.mesh, options.session, options.export)
 
 

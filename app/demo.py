@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from app import commands as c
 from app.bundled import DEFAULT_MESH
-from app.camera import Camera
-from app.document import Document
-from app.editor import Editor
-from app.events import Input
+from app.editor import commands as c
+from app.editor.editor import Editor
 from app.graphics import GraphicsError, loading
+from app.model.document import Document
 from app.worker.client import ProcessWorker
+from app.workspace.camera import Camera
+from app.workspace.events import Input
 from solver import load_mesh
 from solver.errors import SolverError
 
@@ -126,7 +126,7 @@ def painter(
 ) -> Callable[[Path, str], None]:
     """What takes a picture of the editor. Raises GraphicsError."""
     with loading():
-        from app.view import View, open_offscreen
+        from app.window.view import View, open_offscreen
     open_offscreen(size)
     view = View()
 

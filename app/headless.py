@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from app.document import Document
-from app.files import load_document
+from app.editor.file_actions import load_document
+from app.model.document import Document
 from app.worker.bench import bind
 from app.worker.requests import BindRequest
 from solver import load_mesh
-from solver.report import MeshReport, report
+from solver.mesh.report import MeshReport, report
 from solver.types import FloatArray
 
 POLYGON_NAMES = {3: "triangles", 4: "quads"}

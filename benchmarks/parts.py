@@ -21,7 +21,7 @@ PARTS: dict[str, tuple[tuple[Function, ...], tuple[Function, ...]]] = {
         ),
         (),
     ),
-    "elimination order, once a mesh": ((("shape.py", "elimination_order"),), ()),
+    "elimination order, once a mesh": ((("rest_surface.py", "elimination_order"),), ()),
     "symbolic analysis": ((SYMBOLIC,), ()),
     "places of the entries, for CHOLMOD": ((("factor.py", "analyse"),), (SYMBOLIC,)),
     "numeric factorisation": (((None, "<built-in method cvxopt.cholmod.numeric>"),), ()),

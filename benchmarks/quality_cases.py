@@ -9,7 +9,7 @@ from pathlib import Path
 import igl
 import numpy as np
 
-from app.session import read_session
+from app.model.session import read_session
 from assets.primitives import cylinder
 from benchmarks.quality_metrics import Limb
 from benchmarks.survey import CASES, DEFAULT, PUBLISHED

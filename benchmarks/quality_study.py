@@ -9,12 +9,12 @@ import scipy.sparse as sp
 
 from benchmarks.quality_cases import BAND, Case
 from benchmarks.quality_metrics import Fold, measure
-from solver.binding import Options, bind
-from solver.material import Material
-from solver.rigidity import Rigidity
-from solver.rotations import nearest_rotations
-from solver.shape import RestShape
-from solver.stencil import deformation_matrix
+from solver.geometry.rotations import nearest_rotations
+from solver.linear.assembly import deformation_matrix
+from solver.linear.binding import Options, bind
+from solver.linear.rest_surface import RestShape
+from solver.rigid.levels import Rigidity
+from solver.softness.material import Material
 from solver.types import FloatArray
 
 LENGTHS = (0.02, 0.03, 0.05, 0.075, 0.1, 0.15)

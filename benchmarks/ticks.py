@@ -14,8 +14,8 @@ def run(log: Path, session: Path) -> None:
     # Here, because the solver's process imports this module too and must not load a window.
     import polyscope as ps
 
-    from app import main
-    from app.editor import Editor
+    from app.editor.editor import Editor
+    from app.window import main
 
     editors: list[Editor] = []
     tick = ps.frame_tick

@@ -15,9 +15,9 @@ from pathlib import Path
 import igl
 import numpy as np
 
-from app.camera import Camera
-from app.document import Document
-from app.session import write_session
+from app.model.document import Document
+from app.model.session import write_session
+from app.workspace.camera import Camera
 from benchmarks.timing import table
 from solver import load_mesh
 from solver.types import BoolArray, FloatArray
@@ -164,7 +164,7 @@ def measure(display: VirtualDisplay, folder: Path) -> tuple[int, list[list[str]]
 
 
 def _panel_width() -> float:
-    from app.panel import WIDTH  # loads the graphics library
+    from app.window.panel import WIDTH  # loads the graphics library
 
     return WIDTH
 

@@ -12,8 +12,6 @@ from pathlib import Path
 import numpy as np
 
 from app.bundled import DEFAULT_MESH
-from app.camera import FIELD_OF_VIEW, Camera
-from app.commands import SetMap
 from app.demo import (
     BODY,
     BODY_RADIUS,
@@ -29,10 +27,12 @@ from app.demo import (
     paint_regions,
     painter,
 )
-from app.document import Document
-from app.editor import Editor
-from app.panel import WIDTH
+from app.editor.commands import SetMap
+from app.editor.editor import Editor
+from app.model.document import Document
+from app.window.panel import WIDTH
 from app.worker.client import ProcessWorker
+from app.workspace.camera import FIELD_OF_VIEW, Camera
 from solver import load_mesh
 from tests.gui.display import VirtualDisplay
 from tests.gui.person import Person

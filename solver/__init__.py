@@ -4,7 +4,7 @@ deformer = Deformer(V, F, fixed=..., handles=[...], softness=...)
 X = deformer.pose([T])
 """
 
-from solver.deform import Deformer
+from solver.deformer import Deformer
 from solver.errors import (
     ConstraintError,
     FactorizationError,
@@ -13,10 +13,11 @@ from solver.errors import (
     MeshError,
     SolverError,
 )
-from solver.forms import FundamentalForms, fundamental_forms
-from solver.material import PRESETS, Material, interpolate_softness
-from solver.mesh import Mesh, load_mesh
-from solver.reconstruct import reconstruct
+from solver.geometry.fundamental_forms import FundamentalForms, fundamental_forms
+from solver.geometry.reconstruction import reconstruct
+from solver.mesh.mesh import Mesh, load_mesh
+from solver.softness.harmonic import interpolate_softness
+from solver.softness.material import PRESETS, Material
 
 __all__ = [
     "PRESETS",

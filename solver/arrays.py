@@ -62,6 +62,14 @@ def as_floats(values: ArrayLike, what: str, error: type[SolverError]) -> FloatAr
     return array
 
 
+def check_unit_interval(values: FloatArray, what: str, error: type[SolverError]) -> None:
+    """`error` naming `what` unless all values lie in [0, 1]."""
+    outside = (values < 0) | (values > 1)
+    if outside.any():
+        at = int(np.flatnonzero(outside)[0])
+        raise error(f"{what} must lie in [0, 1], got {values[at]} at index {at}")
+
+
 def _as_array(values: ArrayLike, what: str, error: type[SolverError]) -> np.ndarray:
     try:
         return np.asarray(values)

@@ -15,7 +15,7 @@ from app.figures.report import markdown, record
 from app.figures.stage import draw
 from app.graphics import GraphicsError
 from solver import load_mesh
-from solver.files import write_atomically
+from solver.storage import write_atomically
 
 
 def figures(folder: Path) -> None:

@@ -6,14 +6,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from app.brush import falloff
-from app.colors import FIXED_COLOR, viridis
 from app.figures.arm import ELBOW, JOINT, Arm, turn
 from app.figures.figure import Figure, soft
 from app.figures.measures import ArmMeasures, Numbers
+from app.workspace.brush import falloff
+from app.workspace.colors import FIXED_COLOR, viridis
 from solver import Deformer, interpolate_softness
-from solver.orientation import rigid_motion
-from solver.softness import check_softness
+from solver.geometry.procrustes import rigid_motion
+from solver.softness.checks import check_softness
 from solver.types import BoolArray, FloatArray
 
 FOLD = 120.0  # degrees

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from app.figures.arm import ELBOW, FOLD_AXIS, JOINT, REACH, SHOULDER, UP, WRIST, Arm
-from solver.strain import ShapeChange
+from solver.measure.distortion import ShapeChange
 from solver.types import BoolArray, FloatArray, IntArray
 
 Numbers = dict[str, float]

@@ -11,7 +11,7 @@ from app.figures.arm import JOINT, REACH, SHOULDER, WRIST, Arm, Gains, turn
 from app.figures.figure import Figure, plain, regions, soft
 from app.figures.measures import ArmMeasures, Numbers
 from solver import PRESETS, fundamental_forms, reconstruct
-from solver.orientation import rigid_motion
+from solver.geometry.procrustes import rigid_motion
 from solver.types import FloatArray
 
 # The paper weighs bending by a length of about six radii of its arm: so is this, in diagonals.

@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 
 from app.bundled import DEFAULT_MESH
-from app.camera import FIELD_OF_VIEW, Camera
-from app.document import Document
-from app.editor import Editor
+from app.editor.editor import Editor
 from app.figures.figure import Figure
 from app.graphics import loading
+from app.model.document import Document
 from app.worker.inline import InlineWorker
+from app.workspace.camera import FIELD_OF_VIEW, Camera
 from solver import load_mesh
 from solver.types import FloatArray
 
@@ -61,7 +61,7 @@ class Stage(Editor):
 def draw(figures: Sequence[Figure], folder: Path) -> None:
     """Save a PNG for each figure. Raises GraphicsError."""
     with loading():
-        from app.view import View, open_offscreen
+        from app.window.view import View, open_offscreen
     open_offscreen(SIZE)
     view, stage = View(), Stage(Document(load_mesh(DEFAULT_MESH), DEFAULT_MESH), InlineWorker())
     for figure in figures:

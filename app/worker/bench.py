@@ -13,8 +13,8 @@ import numpy as np
 
 from app.worker.requests import Answer, BindRequest, RefineRequest, Request, WorkerError
 from solver import Deformer
-from solver.drag import DragModel
 from solver.errors import SolverError
+from solver.linear.drag_model import DragModel
 from solver.types import FloatArray
 
 # What `Deformer` takes beside the mesh, and `Deformer.rebind` where it differs.

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from solver.drag import DragModel
 from solver.errors import SolverError
-from solver.material import Material
+from solver.linear.drag_model import DragModel
+from solver.softness.material import Material
 from solver.types import FloatArray, IntArray
 
 if TYPE_CHECKING:  # the solver's process has no use for the rest of the application
-    from app.document import Document
+    from app.model.document import Document
 
 
 class WorkerError(SolverError):

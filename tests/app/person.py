@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.commands import Command, SetBrush, SetTool
-from app.document import Document
-from app.editor import Editor
-from app.events import Input, Ray
+from app.editor.commands import Command, SetBrush, SetTool
+from app.editor.editor import Editor
+from app.model.document import Document
 from app.worker.client import Worker
 from app.worker.inline import InlineWorker
 from app.worker.requests import Request
+from app.workspace.events import Input, Ray
 from solver import Mesh
 from solver.types import FloatArray, IntArray
 

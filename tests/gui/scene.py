@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.camera import Camera
+from app.workspace.camera import Camera
 from solver import load_mesh
 
 from .display import Picture
@@ -31,7 +31,9 @@ class Scene:
     """
 
     def __init__(self, person: Person, mesh: Path, session: Path, export: Path) -> None:
-        from app.panel import WIDTH  # needs the graphics library: only where there is a window
+        from app.window.panel import (
+            WIDTH,  # needs the graphics library: only where there is a window
+        )
 
         self.person = person
         self.session = session

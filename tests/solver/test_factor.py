@@ -14,7 +14,7 @@ import scipy.sparse as sp
 import solver.factor
 from solver import Deformer, FactorizationError
 from solver.factor import analyse, factorize
-from solver.stencil import cotangent_laplacian
+from solver.geometry.laplacian import cotangent_laplacian
 from tests.solver import shapes
 
 BACKENDS = ["cholmod", "splu"]

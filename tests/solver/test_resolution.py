@@ -8,8 +8,13 @@ import pytest
 from benchmarks.limbs import SECTIONS, Limb, limb
 from benchmarks.resolution import TRIANGULATIONS, Curve, measure
 from solver import Deformer
-from solver.shape import RestShape
-from solver.weights import REGULAR, bending_weights, half_edge_cotangents, typical_edge
+from solver.geometry.cotangent_weights import (
+    REGULAR,
+    bending_weights,
+    half_edge_cotangents,
+    typical_edge,
+)
+from solver.linear.rest_surface import RestShape
 from tests.solver import shapes
 
 # The coarsest has four edges from the middle of the soft band to its rim.

@@ -1,0 +1,1 @@
+"""The whole application without its window: commands and what they do."""

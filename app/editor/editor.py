@@ -1,0 +1,165 @@
+"""The whole application without its window: one frame of input or one command at a time."""
+
+from __future__ import annotations
+
+from app.editor.actions import ACTIONS
+from app.editor.commands import Command
+from app.editor.file_actions import FILE_ACTIONS
+from app.model.document import FIRST_HANDLE, FIXED
+from app.tools.table import TOOLS
+from app.workspace import binding
+from app.workspace.colors import MAPS
+from app.workspace.events import Input
+from app.workspace.picking import Hit
+from app.workspace.softness_warnings import softness_warnings
+from app.workspace.workspace import Workspace
+from solver.errors import SolverError
+from solver.types import FloatArray
+
+HANDLERS = {**ACTIONS, **FILE_ACTIONS}
+
+
+class Editor(Workspace):
+    """What the window draws, and what a person does to it.
+
+    Whatever goes wrong with an input, a command or a file becomes a message; the document stays
+    as it was. hover: what the brush points at, None where no brush is to be shown.
+    """
+
+    hover: Hit | None = None
+    _warned: tuple[int, ...] = ()
+    _warnings: tuple[str, ...] = ()
+
+    def step(self, frame: Input) -> None:
+        """One frame: advance a stroke or drag, take finished binds, pose the surface."""
+        try:
+            self._advance(frame)
+            self._refresh()
+        except (SolverError, OSError) as error:
+            self.cancel()
+            self.say(str(error), "error")
+        self.hover = self._under(frame)
+
+    def execute(self, command: Command) -> None:
+        """Do what a person asks for."""
+        try:
+            if command.interrupts:
+                self.finish()
+            HANDLERS[type(command)](self, command)
+            self._refresh()
+        except (SolverError, OSError) as error:
+            self.say(str(error), "error")
+
+    def settle(self) -> None:
+        """For scripts: wait until the surface is what the document asks for. Raises SolverError."""
+        binding.settle(self)
+        self._refresh()
+
+    def close(self) -> None:
+        """End the worker."""
+        self.worker.close()
+
+    @property
+    def captures(self) -> bool:
+        """Whether a stroke or a drag has the mouse; the camera stays still then, and only then."""
+        return self.interaction is not None
+
+    @property
+    def busy(self) -> bool:
+        """Whether the surface is not yet what the document asks for: a bind or a pose is under way.
+
+        A drag shows its poses as they come; only a bind counts then.
+        """
+        return self.worker.binding if self.dragging else self.worker.busy
+
+    @property
+    def waits(self) -> bool:
+        """Whether what is under way takes so long that a person should be told."""
+        return self.worker.binding or (self.busy and self.surface.slow)
+
+    @property
+    def dirty(self) -> bool:
+        """Whether there are changes that no session file holds."""
+        return self.history.dirty
+
+    @property
+    def colors(self) -> FloatArray:
+        """(n, 3) RGB of the map that is shown."""
+        return MAPS[self.map].paint(self)
+
+    @property
+    def colors_version(self) -> tuple[object, ...]:
+        """Differs whenever `colors` may."""
+        return (self.map, self.active and self.active.key, MAPS[self.map].version(self))
+
+    @property
+    def positions_version(self) -> int:
+        """Differs whenever `positions` does."""
+        return self.surface.version
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What is wrong with the softness, in plain words; checked again when it has changed."""
+        revision = self.document.revision
+        version = tuple(revision[field] for field in ("role", "softness", "material"))
+        if version != self._warned:
+            self._warned = version
+            self._warnings = softness_warnings(self.document, self.neighbours.edges)
+        return self._warnings
+
+    @property
+    def bind_seconds(self) -> float | None:
+        """How long the bind in use took, None without one."""
+        return self.surface.bound.seconds if self.surface.bound else None
+
+    @property
+    def drag_seconds(self) -> float:
+        """What the solver took of the last drag frame: orientation and pose."""
+        return self.surface.orient_seconds + self.surface.pose_seconds
+
+    @property
+    def hint(self) -> str:
+        """What to do next, or what is missing before a drag is possible."""
+        role = self.document.role
+        if not (role >= FIRST_HANDLE).any():
+            return f"Paint a handle ({TOOLS['handle'].key})"
+        if self.waits:
+            return "Binding ..." if self.worker.binding else "Refining ..."
+        if self.bind_error:
+            return self.bind_error
+        hint = "Press on a handle and drag"
+        if self.tool != "drag":
+            hint = f"Take the drag tool ({TOOLS['drag'].key}), then press on a handle and drag"
+        if not (role == FIXED).any():
+            hint += "; nothing is fixed, so the whole part moves along"
+        return hint
+
+    def _refresh(self) -> None:
+        binding.update(self)
+        measure = MAPS[self.map].measure
+        self.heat.follow(
+            measure, self.document, self.positions, self.positions_version, self.dragging
+        )
+
+    def _advance(self, frame: Input) -> None:
+        if frame.pressed:
+            self.finish()  # a release that nobody saw
+            self._begin(frame)
+        elif self.interaction is not None and (frame.down or frame.released):
+            self.interaction.move(frame)
+        if self.interaction is None and frame.released:
+            self.history.seal()  # a slider was let go: the next slide is an entry of its own
+        if not frame.down:
+            self.finish()
+
+    def _begin(self, frame: Input) -> None:
+        begin = TOOLS[self.tool].begin
+        hit = self.pick(frame.ray) if begin and frame.ray else None
+        if begin and hit is not None:
+            self.interaction = begin(self, frame, hit)
+
+    def _under(self, frame: Input) -> Hit | None:
+        orbiting = frame.down and not self.captures
+        if frame.ray is None or orbiting or not TOOLS[self.tool].paints:
+            return None
+        return self.pick(frame.ray)

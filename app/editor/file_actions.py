@@ -1,0 +1,92 @@
+"""What the commands that read and write files do. FILE_ACTIONS is the table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from app.bundled import writable
+from app.editor import commands as c
+from app.model.document import Document
+from app.model.session import read_session, to_document, write_session
+from app.workspace.binding import settle
+from app.workspace.workspace import Workspace
+from solver import load_mesh
+
+
+def open_mesh(work: Workspace, command: c.OpenMesh) -> None:
+    work.adopt(load_document(command.path, None))
+    _announce(work, command.path)
+
+
+def open_session(work: Workspace, command: c.OpenSession) -> None:
+    work.adopt(load_document(None, command.path), command.path)
+    _announce(work, command.path)
+
+
+def load_document(mesh: Path | None, session: Path | None) -> Document:
+    """A mesh as it is, the document of a session, or that of a session on another mesh file.
+
+    Raises FileError, MeshError or SessionError.
+    """
+    if session is None:
+        assert mesh is not None
+        return Document(load_mesh(mesh), mesh)
+    described = read_session(session)
+    path = mesh or described.mesh_path
+    return to_document(described, load_mesh(path), path)
+
+
+def open_command(path: Path) -> c.OpenMesh | c.OpenSession:
+    """What opens a file of unknown kind: sessions are *.json."""
+    return c.OpenSession(path) if path.suffix.lower() == ".json" else c.OpenMesh(path)
+
+
+def save_session(work: Workspace, command: c.SaveSession) -> None:
+    path = command.path or default_session_path(work)
+    _spare_mesh(work, path)
+    write_session(path, work.document)
+    work.session_path = path
+    work.history.mark_saved()
+    work.say(f"Saved {path}")
+
+
+def export(work: Workspace, command: c.Export) -> None:
+    path = command.path or default_export_path(work)
+    _spare_mesh(work, path)
+    settle(work)
+    work.document.mesh.save(path, work.positions)
+    work.say(f"Exported {path}")
+
+
+def default_session_path(work: Workspace) -> Path:
+    """The session that was opened or saved, else one beside the mesh."""
+    return writable(work.session_path or work.document.path.with_suffix(".json"))
+
+
+def default_export_path(work: Workspace) -> Path:
+    """The one the program was started with, else one beside the mesh."""
+    mesh = work.document.path
+    return work.export_path or writable(mesh.with_name(f"{mesh.stem}-deformed.obj"))
+
+
+def _announce(work: Workspace, path: Path) -> None:
+    work.say(f"Opened {path.name}: {len(work.document.role):,} vertices")
+
+
+def _spare_mesh(work: Workspace, path: Path) -> None:
+    """Raise CommandError if saving to `path` would replace the mesh that is open."""
+    mesh = work.document.path
+    if path.resolve() == mesh.resolve() or (
+        path.exists() and mesh.exists() and path.samefile(mesh)
+    ):
+        raise c.CommandError(f"{path} is the mesh that is open; expected another name")
+
+
+FILE_ACTIONS: dict[type[c.Command], Callable[[Workspace, Any], None]] = {
+    c.OpenMesh: open_mesh,
+    c.OpenSession: open_session,
+    c.SaveSession: save_session,
+    c.Export: export,
+}

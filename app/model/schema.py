@@ -1,0 +1,121 @@
+"""Strict reading of JSON: each check returns the value, or refuses it by its place in the file."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from app.model.document import is_number
+from solver.errors import SolverError
+from solver.types import FloatArray
+
+Check = Callable[[Any, str], Any]  # (value, where) -> value
+
+
+class SessionError(SolverError):
+    """A session file cannot be used."""
+
+
+def parse(data: bytes) -> Any:
+    """The JSON in a file. Raises SessionError with line and column."""
+    try:
+        text = data.decode("utf-8-sig")
+        return json.loads(text, parse_constant=_refuse_constant, object_pairs_hook=_object)
+    except UnicodeDecodeError as error:
+        raise SessionError(f"expected UTF-8 text, got byte {data[error.start]:#04x}") from error
+    except json.JSONDecodeError as error:
+        where = f"line {error.lineno}, column {error.colno}"
+        raise SessionError(f"{where}: expected JSON, got an error: {error.msg}") from error
+    except RecursionError as error:
+        raise SessionError("expected a session, got lists nested too deeply") from error
+    except SessionError:
+        raise
+    except ValueError as error:  # an integer of thousands of digits
+        raise SessionError(f"expected numbers of a usual size: {error}") from error
+
+
+def _refuse_constant(name: str) -> Any:
+    raise SessionError(f"expected finite numbers, got {name}")
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise SessionError(f"{_escaped(twice)}: expected once, got it twice in one object")
+    return found
+
+
+def _escaped(name: str) -> str:
+    """A key as it stands in the file: without line breaks of its own."""
+    return json.dumps(name)[1:-1]
+
+
+def refuse(where: str, expected: str, value: Any) -> SessionError:
+    """The error for a value that is not what was expected."""
+    got = json.dumps(value)
+    return SessionError(f"{where}: expected {expected}, got {got[:50]}{'...' * (len(got) > 50)}")
+
+
+def fields(checks: Mapping[str, Check], required: tuple[str, ...] = ()) -> Check:
+    """An object with these keys and no others; absent keys stay absent unless required."""
+
+    def check(value: Any, where: str) -> dict[str, Any]:
+        if not isinstance(value, dict):
+            raise refuse(where or "the file", "an object", value)
+        prefix = f"{where}." if where else ""
+        for name in value:
+            if name not in checks:
+                known = ", ".join(checks)
+                raise SessionError(
+                    f"{prefix}{_escaped(name)}: unknown key, expected one of {known}"
+                )
+        for name in required:
+            if name not in value:
+                raise SessionError(f"{prefix}{name}: missing")
+        return {name: checks[name](item, prefix + name) for name, item in value.items()}
+
+    return check
+
+
+def list_of(item: Check) -> Check:
+    """A list whose items pass `item`."""
+
+    def check(value: Any, where: str) -> list[Any]:
+        if not isinstance(value, list):
+            raise refuse(where, "a list", value)
+        return [item(one, f"{where}[{i}]") for i, one in enumerate(value)]
+
+    return check
+
+
+def that(accepts: Callable[[Any], bool], expected: str) -> Check:
+    """A value that `accepts` is true for."""
+
+    def check(value: Any, where: str) -> Any:
+        if not accepts(value):
+            raise refuse(where, expected, value)
+        return value
+
+    return check
+
+
+text = that(lambda v: isinstance(v, str) and v != "", "a text that is not empty")
+count = that(lambda v: type(v) is int and v >= 0, "an integer, 0 or more")
+positive = that(lambda v: is_number(v) and v > 0, "a positive number")
+share = that(lambda v: is_number(v) and 0 <= v <= 1, "a number from 0 to 1")
+
+
+def transform(value: Any, where: str) -> FloatArray:
+    """(4, 4), last row 0 0 0 1."""
+    rows = value if isinstance(value, list) else []
+    numbers = [x for row in rows if isinstance(row, list) and len(row) == 4 for x in row]
+    if len(rows) != 4 or len(numbers) != 16 or not all(map(is_number, numbers)):
+        raise refuse(where, "4x4 numbers", value)
+    if rows[3] != [0, 0, 0, 1]:
+        raise refuse(f"{where}[3]", "the last row 0 0 0 1", rows[3])
+    return np.array(rows, dtype=np.float64)

@@ -1,0 +1,177 @@
+"""Session files: everything a person decided about a mesh, as JSON.
+
+Reading is strict: what is unknown or of the wrong type is refused by name. What a session is to
+hold is a line in SESSION, one in `to_document` and one in `write_session`.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from app.model import schema
+from app.model.document import FIRST_HANDLE, FIXED, FREE, SETTINGS, Document
+from app.model.schema import SessionError
+from solver.mesh.mesh import Mesh
+from solver.softness.material import PRESETS, Material
+from solver.storage import read_bytes, write_atomically
+
+FORMAT = "surface-deformation-session"
+VERSION = 1
+
+
+def _material(value: Any, where: str) -> str | Material:
+    if isinstance(value, dict):
+        gains = {"bending": schema.positive, "stretching": schema.positive}
+        return Material(**schema.fields(gains, required=("bending", "stretching"))(value, where))
+    if not isinstance(value, str) or value not in PRESETS:
+        raise schema.refuse(where, f"one of {', '.join(PRESETS)} or two gains", value)
+    return value
+
+
+SESSION = schema.fields(
+    {
+        "format": schema.that(lambda v: v == FORMAT, f'"{FORMAT}"'),
+        "version": schema.that(lambda v: type(v) is int and v == VERSION, str(VERSION)),
+        "mesh": schema.fields(
+            {"path": schema.text, "vertices": schema.count, "faces": schema.count},
+            required=("path",),
+        ),
+        "fixed": schema.list_of(schema.count),
+        "handles": schema.list_of(
+            schema.fields(
+                {
+                    "name": schema.text,
+                    "vertices": schema.list_of(schema.count),
+                    "transform": schema.transform,
+                }
+            )
+        ),
+        "softness": schema.list_of(schema.share),
+        "material": _material,
+        "settings": schema.fields(
+            {name: schema.that(s.accepts, s.expected) for name, s in SETTINGS.items()}
+        ),
+    },
+    required=("format", "version", "mesh"),
+)
+
+
+class Session:
+    """A session file that is right in itself; whether it fits a mesh, `to_document` says.
+
+    path: of the file. mesh_path: of the mesh it names. data: checked, absent keys absent.
+    """
+
+    def __init__(self, path: Path, data: dict[str, Any]) -> None:
+        self.path = path
+        self.data = data
+        self.mesh_path = path.parent / data["mesh"]["path"]
+
+
+def read_session(path: Path) -> Session:
+    """Read and check a session file. Raises FileError or SessionError."""
+    try:
+        return Session(path, SESSION(schema.parse(read_bytes(path)), ""))
+    except SessionError as error:
+        raise SessionError(f"{path}: {error}") from error
+
+
+def to_document(session: Session, mesh: Mesh, mesh_path: Path) -> Document:
+    """The document a session describes. Raises SessionError where it does not fit the mesh."""
+    document = Document(mesh, mesh_path)
+    data = session.data
+    try:
+        _check_counts(data["mesh"], mesh)
+        _give_role(document, data.get("fixed", []), FIXED, "fixed")
+        for number, entry in enumerate(data.get("handles", [])):
+            handle = document.new_handle(entry.get("name", ""))
+            handle = replace(handle, transform=entry.get("transform", handle.transform))
+            document.change("handles", (*document.handles, handle))
+            where = f"handles[{number}].vertices"
+            _give_role(document, entry.get("vertices", []), FIRST_HANDLE + number, where)
+        _set_softness(document, data.get("softness"))
+    except SessionError as error:
+        raise SessionError(f"{session.path}: {error}") from error
+    document.change("material", data.get("material", document.material))
+    for name, value in data.get("settings", {}).items():
+        document.change(name, value)
+    return document
+
+
+def write_session(path: Path, document: Document) -> None:
+    """Write the document as a session file, the mesh relative to it. Raises FileError."""
+    mesh, material = document.mesh, document.material
+    data: dict[str, Any] = {
+        "format": FORMAT,
+        "version": VERSION,
+        "mesh": {
+            "path": _relative(document.path, path),
+            "vertices": len(mesh.vertices),
+            "faces": len(mesh.faces),
+        },
+        "fixed": document.fixed.tolist(),
+        "handles": [
+            {
+                "name": handle.name,
+                "vertices": document.vertices_of(handle.key).tolist(),
+                "transform": handle.transform.tolist(),
+            }
+            for handle in document.handles
+        ],
+        "material": vars(material) if isinstance(material, Material) else material,
+        "settings": {name: getattr(document, name) for name in SETTINGS},
+    }
+    if document.softness.any():
+        data["softness"] = document.softness.tolist()
+    lines = [f" {json.dumps(key)}: {json.dumps(data[key], allow_nan=False)}" for key in data]
+    write_atomically(path, ("{\n" + ",\n".join(lines) + "\n}\n").encode())
+
+
+def _relative(mesh_path: Path, session_path: Path) -> str:
+    """With forward slashes; absolute where no relative path leads there (another drive)."""
+    mesh = mesh_path.resolve()
+    try:
+        return Path(os.path.relpath(mesh, session_path.resolve().parent)).as_posix()
+    except ValueError:
+        return mesh.as_posix()
+
+
+def _check_counts(expected: dict[str, Any], mesh: Mesh) -> None:
+    for name, found in (("vertices", len(mesh.vertices)), ("faces", len(mesh.faces))):
+        if expected.get(name, found) != found:
+            raise SessionError(
+                f"mesh.{name}: expected {found}, as the mesh has, got {expected[name]}"
+            )
+
+
+def _give_role(document: Document, vertices: list[int], role: int, where: str) -> None:
+    size = len(document.role)
+    seen: set[int] = set()
+    for i, vertex in enumerate(vertices):
+        if vertex >= size:
+            raise SessionError(f"{where}[{i}]: expected 0 to {size - 1}, got {vertex}")
+        if vertex in seen:
+            raise SessionError(f"{where}[{i}]: expected each vertex once, got {vertex} twice")
+        if document.role[vertex] != FREE:
+            raise SessionError(
+                f"{where}[{i}]: expected one role a vertex, got {vertex}, which has one already"
+            )
+        seen.add(vertex)
+    document.change("role", role, np.array(vertices, dtype=np.int64))
+
+
+def _set_softness(document: Document, softness: list[float] | None) -> None:
+    if softness is None:
+        return
+    if len(softness) != len(document.softness):
+        raise SessionError(
+            f"softness: expected {len(document.softness)} numbers, one a vertex, "
+            f"got {len(softness)}"
+        )
+    document.change("softness", np.array(softness, dtype=np.float64))

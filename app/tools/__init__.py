@@ -1,0 +1,1 @@
+"""What the mouse does with each tool in hand."""

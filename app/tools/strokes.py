@@ -1,0 +1,150 @@
+"""A brush stroke: from the cursor's rays to dabs, and what each kind of paint does with a dab."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import ClassVar, Protocol
+
+import numpy as np
+
+from app.model.document import FREE, Document
+from app.model.history import Gesture
+from app.workspace.brush import MAX_DABS, rays_between
+from app.workspace.events import Input, Ray
+from app.workspace.picking import Hit
+from app.workspace.workspace import Workspace
+from solver.geometry.procrustes import rigid_motion
+from solver.types import BoolArray, FloatArray, IntArray
+
+
+class Paint(Protocol):
+    """What a stroke leaves on the vertices it touches. label: its entry in the history."""
+
+    label: str
+
+    def dab(self, gesture: Gesture, vertices: IntArray, weights: FloatArray) -> None:
+        """Change the document under the brush."""
+
+    def finish(self, gesture: Gesture) -> None:
+        """What is left to do when the stroke ends."""
+
+
+class Stroke:
+    """Paints along the cursor's path, however few frames saw it move."""
+
+    drags: ClassVar[bool] = False
+
+    def __init__(
+        self, work: Workspace, press: Input, hit: Hit, gesture: Gesture, paint: Paint
+    ) -> None:
+        self._work = work
+        self._gesture = gesture
+        self._paint = paint
+        self._radius = work.brush_radius
+        self._ray: Ray | None = press.ray
+        self._hit: Hit | None = hit
+        self._depth = hit.distance
+        self._dab(hit, None)
+
+    def move(self, frame: Input) -> None:
+        """Paint from where the cursor was to where it is."""
+        if frame.ray is None:
+            self._ray = self._hit = None
+            return
+        before = self._ray or frame.ray
+        length = self._travelled(before, frame.ray)
+        count = int(np.clip(np.ceil(2 * length / self._radius), 1, MAX_DABS))
+        # A longer way than this from one dab to the next is a jump to another part of the surface.
+        reach = max(self._radius, 2 * length / count)
+        for ray in rays_between(before, frame.ray, count):
+            hit = self._work.pick(ray)
+            if hit is not None:
+                self._dab(hit, self._joined(hit, reach))
+                self._depth = hit.distance
+            self._hit = hit
+        self._ray = frame.ray
+
+    def finish(self) -> None:
+        """Keep the stroke as one entry of the history."""
+        self._paint.finish(self._gesture)
+        self._work.history.record(self._gesture.finish(self._paint.label))
+
+    def cancel(self) -> None:
+        """Take the stroke back."""
+        self._gesture.cancel()
+
+    def _travelled(self, before: Ray, now: Ray) -> float:
+        """About how far the brush moves along the surface between two rays."""
+        length = float(np.linalg.norm(now.at(self._depth) - before.at(self._depth)))
+        hit = self._work.pick(now)
+        if hit is not None and self._hit is not None:
+            length = max(length, float(np.linalg.norm(hit.position - self._hit.position)))
+        return length
+
+    def _joined(self, hit: Hit, reach: float) -> FloatArray | None:
+        """Where the last dab was, if the brush came from there along the surface."""
+        if self._hit is None or np.linalg.norm(hit.position - self._hit.position) > reach:
+            return None
+        return self._hit.position
+
+    def _dab(self, hit: Hit, start: FloatArray | None) -> None:
+        positions = self._work.positions
+        touched = self._work.neighbours.dab(positions, hit, self._radius, start)
+        self._paint.dab(self._gesture, *touched)
+
+
+class RolePaint:
+    """Gives vertices a role; the last stroke wins."""
+
+    def __init__(self, label: str, role: int) -> None:
+        self.label = label
+        self._role = role
+
+    def dab(self, gesture: Gesture, vertices: IntArray, weights: FloatArray) -> None:
+        """All vertices the brush touches."""
+        gesture.change("role", self._role, vertices)
+
+    def finish(self, gesture: Gesture) -> None:
+        """Nothing is left to do."""
+
+
+class RoleEraser:
+    """Frees the vertices whose role `erases` says so."""
+
+    def __init__(
+        self, document: Document, label: str, erases: Callable[[IntArray], BoolArray]
+    ) -> None:
+        self.label = label
+        self._document = document
+        self._erases = erases
+
+    def dab(self, gesture: Gesture, vertices: IntArray, weights: FloatArray) -> None:
+        """Only the vertices with a role to erase."""
+        gesture.change("role", FREE, vertices[self._erases(self._document.role[vertices])])
+
+    def finish(self, gesture: Gesture) -> None:
+        """Nothing is left to do."""
+
+
+class HandlePaint(RolePaint):
+    """Paints a handle. One that had no vertices starts where the surface is, not where it was."""
+
+    def __init__(self, work: Workspace, key: int) -> None:
+        document = work.document
+        handle = document.find(key)
+        assert handle is not None
+        super().__init__(f"Paint {handle.name}", document.role_of(key))
+        self._work = work
+        self._handle = handle
+        self._starts = len(document.vertices_of(key)) == 0
+
+    def finish(self, gesture: Gesture) -> None:
+        """Fit the transform of a new handle to the surface on screen."""
+        if not self._starts:
+            return
+        document = self._work.document
+        vertices = document.vertices_of(self._handle.key)
+        rest, shown = document.mesh.vertices[vertices], self._work.positions[vertices]
+        transform = np.eye(4) if np.array_equal(rest, shown) else rigid_motion(rest, shown)
+        if not np.array_equal(transform, self._handle.transform):
+            gesture.change("handles", document.with_handle(self._handle.key, transform=transform))

@@ -1,0 +1,109 @@
+"""From the window's mouse and keyboard to one frozen Input and the commands of one frame."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import polyscope.imgui as psim
+
+from app.editor import commands as c
+from app.tools.table import TOOLS
+from app.workspace.brush import Brush
+from app.workspace.camera import Camera
+from app.workspace.events import Input
+
+RADIUS_STEP = 1.15
+
+
+@dataclass(frozen=True)
+class WindowAction(c.Command):
+    """Something the window does by itself: "frame", "help", or a row of the panel's files."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class Shortcut:
+    """A key and what it asks for. ctrl: with Ctrl, or Command on a Mac."""
+
+    keys: str
+    meaning: str
+    key: int
+    command: Callable[[Brush], c.Command]
+    ctrl: bool = False
+    shift: bool = False
+    repeats: bool = False
+
+
+def _always(command: c.Command) -> Callable[[Brush], c.Command]:
+    return lambda brush: command
+
+
+def _scaled(factor: float) -> Callable[[Brush], c.Command]:
+    return lambda brush: c.SetBrush(radius=brush.radius * factor)
+
+
+SHORTCUTS = (
+    *(
+        Shortcut(
+            tool.key, tool.label, getattr(psim, f"ImGuiKey_{tool.key}"), _always(c.SetTool(name))
+        )
+        for name, tool in TOOLS.items()
+    ),
+    Shortcut(
+        "[", "Smaller brush", psim.ImGuiKey_LeftBracket, _scaled(1 / RADIUS_STEP), repeats=True
+    ),
+    Shortcut("]", "Larger brush", psim.ImGuiKey_RightBracket, _scaled(RADIUS_STEP), repeats=True),
+    Shortcut("Ctrl+Z", "Undo", psim.ImGuiKey_Z, _always(c.Undo()), ctrl=True, repeats=True),
+    Shortcut(
+        "Ctrl+Shift+Z", "Redo", psim.ImGuiKey_Z, _always(c.Redo()), True, shift=True, repeats=True
+    ),
+    Shortcut("Ctrl+Y", "Redo", psim.ImGuiKey_Y, _always(c.Redo()), ctrl=True, repeats=True),
+    Shortcut("Ctrl+O", "Open", psim.ImGuiKey_O, _always(WindowAction("open")), ctrl=True),
+    Shortcut("Ctrl+S", "Save session", psim.ImGuiKey_S, _always(WindowAction("save")), ctrl=True),
+    Shortcut("Ctrl+E", "Export mesh", psim.ImGuiKey_E, _always(WindowAction("export")), ctrl=True),
+    Shortcut("R", "Reset pose", psim.ImGuiKey_R, _always(c.ResetPose())),
+    Shortcut("F", "Frame the mesh", psim.ImGuiKey_F, _always(WindowAction("frame"))),
+    Shortcut("F1", "Help", psim.ImGuiKey_F1, _always(WindowAction("help"))),
+    Shortcut("Esc", "Cancel stroke or drag", psim.ImGuiKey_Escape, _always(c.CancelGesture())),
+)
+
+
+def read_mouse(camera: Camera) -> Input:
+    """The mouse of this frame, seen through the camera of this frame."""
+    io = psim.GetIO()
+    x, y = io.MousePos
+    inside = 0 <= x < io.DisplaySize[0] and 0 <= y < io.DisplaySize[1]
+    over_scene = inside and not io.WantCaptureMouse
+    return Input(
+        ray=camera.ray((x, y)) if over_scene else None,
+        view_direction=camera.forward,
+        pressed=psim.IsMouseClicked(0),
+        down=psim.IsMouseDown(0),
+        released=psim.IsMouseReleased(0),
+        shift=_held(io.KeyShift, psim.ImGuiKey_LeftShift, psim.ImGuiKey_RightShift),
+    )
+
+
+def read_shortcuts(brush: Brush) -> list[c.Command]:
+    """The commands of keys that went down in this frame; none while somebody types in a field."""
+    io = psim.GetIO()
+    if io.WantTextInput:
+        return []
+    ctrl_now = io.KeyCtrl or io.KeySuper
+    ctrl = _held(ctrl_now, psim.ImGuiKey_LeftCtrl, psim.ImGuiKey_RightCtrl)
+    ctrl = _held(ctrl, psim.ImGuiKey_LeftSuper, psim.ImGuiKey_RightSuper)
+    shift = _held(io.KeyShift, psim.ImGuiKey_LeftShift, psim.ImGuiKey_RightShift)
+    # A frame that sees Ctrl let go may also see the plain key that was pressed after it.
+    return [
+        shortcut.command(brush)
+        for shortcut in SHORTCUTS
+        if (ctrl and shortcut.shift == shift if shortcut.ctrl else not ctrl_now)
+        and psim.IsKeyPressed(shortcut.key, shortcut.repeats)
+    ]
+
+
+def _held(now: bool, left: int, right: int) -> bool:
+    """Whether a modifier counts as down: also in the frame that sees a fast chord let go of it."""
+    return now or psim.IsKeyReleased(left) or psim.IsKeyReleased(right)

@@ -1,0 +1,104 @@
+"""What a brush touches: the vertices around a point of the surface, and how strongly."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.sparse as sp
+from scipy.sparse.csgraph import breadth_first_order
+
+from app.workspace.events import Ray
+from app.workspace.picking import Hit
+from solver.geometry.topology import Topology
+from solver.types import FloatArray, IntArray
+
+MAX_DABS = 32  # the most dabs put into one frame of a fast stroke
+
+
+@dataclass(frozen=True)
+class Brush:
+    """radius: as a fraction of the mesh's diagonal. strength, value: of softness, in [0, 1].
+
+    mode: a name in soft_strokes.SOFTNESS_MODES, what a softness stroke does with both.
+    """
+
+    radius: float = 0.03
+    strength: float = 1.0
+    value: float = 1.0
+    mode: str = "set"
+
+
+def falloff(t: FloatArray) -> FloatArray:
+    """(1 - t^2)^2 for t in [0, 1], else 0: 1 at the centre, value and slope 0 at the rim."""
+    return np.clip(1 - t**2, 0, None) ** 2
+
+
+class Neighbours:
+    """Which vertices edges join; built once a mesh. A vertex no face uses has no neighbours.
+
+    edges: (e, 2).  component: (n,) the connected piece that each vertex belongs to.
+    """
+
+    def __init__(self, faces: IntArray, vertex_count: int) -> None:
+        topology = Topology(faces, vertex_count)
+        self.edges = topology.edges
+        self.component = topology.vertex_component
+        a, b = topology.edges.T
+        ends = np.concatenate([a, b]), np.concatenate([b, a])
+        self._graph = sp.csr_array((np.ones(2 * len(a)), ends), shape=(vertex_count, vertex_count))
+
+    def dab(
+        self, positions: FloatArray, hit: Hit, radius: float, start: FloatArray | None = None
+    ) -> tuple[IntArray, FloatArray]:
+        """Vertices (k,) and weights (k,) of a brush moved from `start` (default: the hit) to a hit.
+
+        Takes the vertices nearer than `radius` to the segment, in the connected piece of them that
+        holds the hit: the far side of a thin part belongs to it only if the surface that leads
+        there does. The vertex nearest to the hit is always taken. Weights: `falloff`.
+        """
+        away = _squared_distances(positions, hit.position if start is None else start, hit.position)
+        inside = np.flatnonzero(away < radius**2)
+        seed = int(np.searchsorted(inside, hit.vertex))
+        if seed == len(inside) or inside[seed] != hit.vertex:
+            return np.array([hit.vertex]), np.ones(1)
+        graph = self._graph[inside][:, inside]
+        piece = inside[breadth_first_order(graph, seed, return_predecessors=False)]
+        return piece, falloff(np.sqrt(away[piece]) / radius)
+
+    def smoothed(
+        self, values: FloatArray, vertices: IntArray, amounts: FloatArray, rounds: int
+    ) -> FloatArray:
+        """What `values` (n,) become at some vertices (k,), moved towards the neighbours' mean.
+
+        amounts: (k,) in [0, 1], how much of the way each goes in each round.
+        """
+        rows = self._graph[vertices]
+        degree = np.diff(rows.indptr)
+        amounts = np.where(degree > 0, amounts, 0.0)
+        values = values.copy()
+        for _ in range(rounds):
+            mean = (rows @ values) / np.maximum(degree, 1)
+            values[vertices] += amounts * (mean - values[vertices])
+        return values[vertices]
+
+
+def _squared_distances(positions: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
+    """(n,) squared distance of each position to a segment."""
+    away = positions - end
+    back = start - end
+    length2 = float(back @ back)
+    if length2 > 0:
+        along = np.clip(away @ back / length2, 0, 1)
+        away -= along[:, None] * back
+    return np.asarray(np.einsum("ij,ij->i", away, away))
+
+
+def rays_between(before: Ray, now: Ray, count: int) -> Iterator[Ray]:
+    """`count` rays from `before` (left out) to `now` (the last), evenly spread."""
+    for t in np.arange(1, count) / count:
+        direction = (1 - t) * before.direction + t * now.direction
+        origin = (1 - t) * before.origin + t * now.origin
+        yield Ray(origin, direction / np.linalg.norm(direction))
+    yield now

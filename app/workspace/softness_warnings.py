@@ -1,0 +1,19 @@
+"""What a person should know before folding: faults of the softness field, in plain words."""
+
+from __future__ import annotations
+
+from app.model.document import FREE, Document
+from solver.softness.checks import check_softness
+from solver.types import IntArray
+
+STEEP = "The soft region ends abruptly: the surface will crease there"
+WEAK = "Too soft for the mesh: a fold will tear the surface"
+
+
+def softness_warnings(document: Document, edges: IntArray) -> tuple[str, ...]:
+    """One line for each fault; edges: (e, 2) of the mesh."""
+    free = document.role == FREE  # what is held as a whole neither creases nor tears
+    held = ~(free[edges[:, 0]] | free[edges[:, 1]])
+    check = check_softness(edges[~held], document.softness, document.material)
+    faults = ((check.steep, STEEP), (check.weak, WEAK))
+    return tuple(text for is_so, text in faults if is_so)

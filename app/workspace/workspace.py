@@ -1,0 +1,145 @@
+"""What is open and what is chosen: the state that tools and commands work on.
+
+Editor adds the two ways in (`step` and `execute`); everything below it sees only this.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import ClassVar, Literal, Protocol
+
+from app.model.document import Document, Handle, clock
+from app.model.history import Gesture, History
+from app.worker.client import Worker
+from app.workspace.brush import Brush, Neighbours
+from app.workspace.events import Input, Ray
+from app.workspace.heat import Heat
+from app.workspace.picking import Hit, Picker
+from app.workspace.pose import Surface
+from solver.types import FloatArray
+
+
+@dataclass(frozen=True)
+class Message:
+    """A line for the person. number: grows, so that the window can tell a new one."""
+
+    text: str
+    kind: Literal["info", "error"]
+    number: int
+
+
+class Interaction(Protocol):
+    """A stroke or a drag in progress. drags: whether it moves handles."""
+
+    drags: ClassVar[bool]
+
+    def move(self, frame: Input) -> None:
+        """The cursor is now there."""
+
+    def finish(self) -> None:
+        """Keep it, as one entry of the history."""
+
+    def cancel(self) -> None:
+        """Restore what was before."""
+
+
+class Workspace:
+    """One open document with its history and its surface on screen, and what a person chose.
+
+    tool: a name in tools.TOOLS.  map: a name in colors.MAPS.  turn: dragged handles turn by
+    themselves.  message: the last one, None before the first.  export_path: where Export goes
+    by default.  session_path: the session file last opened or saved.  interaction: the stroke or
+    drag in progress.  requested_version: the document's bind_version last taken care of.
+    bind_error: why that could not be bound, empty if it could or is not known yet.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        worker: Worker,
+        session_path: Path | None = None,
+        export_path: Path | None = None,
+    ) -> None:
+        self.worker = worker
+        self.export_path = export_path
+        self.tool = "navigate"
+        self.brush = Brush()
+        self.turn = True
+        self.map = "roles"
+        self.message: Message | None = None
+        self.adopt(document, session_path)
+
+    def adopt(self, document: Document, session_path: Path | None = None) -> None:
+        """Show another document, with a history of its own."""
+        mesh = document.mesh
+        self.worker.drop()
+        self.requested_version = 0
+        self.bind_error = ""
+        self.interaction: Interaction | None = None
+        self.document = document
+        self.session_path = session_path
+        self.history = History()
+        self.surface = Surface(mesh)
+        self.neighbours = Neighbours(mesh.faces, len(mesh.vertices))
+        self.heat = Heat(mesh)
+        self._picker = Picker(mesh.faces)
+        self._active = document.handles[0].key if document.handles else None
+
+    def say(self, text: str, kind: Literal["info", "error"] = "info") -> None:
+        """Put a message on screen."""
+        self.message = Message(text, kind, next(clock))
+
+    @contextmanager
+    def edit(self, label: str, merge: str = "") -> Iterator[Gesture]:
+        """Changes that become one entry of the history, or none at all if the block raises."""
+        gesture = Gesture(self.document)
+        try:
+            yield gesture
+        except BaseException:
+            gesture.cancel()
+            raise
+        self.history.record(gesture.finish(label, merge))
+
+    def finish(self) -> None:
+        """Keep the stroke or drag in progress, if there is one."""
+        interaction, self.interaction = self.interaction, None
+        if interaction is not None:
+            interaction.finish()
+
+    def cancel(self) -> None:
+        """Take back the stroke or drag in progress, if there is one."""
+        interaction, self.interaction = self.interaction, None
+        if interaction is not None:
+            interaction.cancel()
+
+    @property
+    def dragging(self) -> bool:
+        """Whether a drag is in progress."""
+        return self.interaction is not None and self.interaction.drags
+
+    def pick(self, ray: Ray) -> Hit | None:
+        """The first point of the surface on screen that the ray meets."""
+        return self._picker.pick(ray, self.positions)
+
+    @property
+    def positions(self) -> FloatArray:
+        """(n, 3) on screen."""
+        return self.surface.positions
+
+    @property
+    def brush_radius(self) -> float:
+        """In world units."""
+        return self.brush.radius * self.document.diagonal
+
+    @property
+    def active(self) -> Handle | None:
+        """The handle the handle brush paints: the one chosen, else the last; None without any."""
+        handles = self.document.handles
+        return self.document.find(self._active) or (handles[-1] if handles else None)
+
+    def activate(self, key: int) -> None:
+        """Choose the active handle."""
+        self._active = key

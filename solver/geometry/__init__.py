@@ -1,0 +1,1 @@
+"""Surfaces as geometry: topology, fundamental forms, cotangents, Laplacian, rotations."""

@@ -1,0 +1,117 @@
+"""Connectivity of a triangle mesh: edges, neighbouring triangles, connected components.
+
+Half-edge k of triangle t lies opposite its corner k and runs from corner k+1 to corner k+2
+(indices modulo 3), so that the cotangent at corner k is the weight of half-edge k.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import scipy.sparse as sp
+from scipy.sparse.csgraph import connected_components
+
+from solver.types import BoolArray, FloatArray, IntArray
+
+HALF_EDGE_START = np.array([1, 2, 0])
+HALF_EDGE_END = np.array([2, 0, 1])
+
+
+@dataclass(frozen=True)
+class FacePairs:
+    """Neighbouring triangles, one row for each two triangles that share an edge.
+
+    An edge with k > 2 triangles appears once for every two of them.
+
+    first, second: (p,) the triangles, first < second.
+    half_first, half_second: (p,) which half-edge (0, 1, 2) of each lies on the shared edge.
+    edge: (p,) the shared edge.  valence: (p,) how many triangles that edge has.
+    """
+
+    first: IntArray
+    second: IntArray
+    half_first: IntArray
+    half_second: IntArray
+    edge: IntArray
+    valence: IntArray
+
+
+class Topology:
+    """Edges and neighbours of `faces` (m, 3) over `vertex_count` vertices.
+
+    edges: (e, 2) unique, each sorted, in lexicographic order.
+    half_edge_edge: (m, 3) the edge under each half-edge.
+    """
+
+    def __init__(self, faces: IntArray, vertex_count: int) -> None:
+        self.faces = faces
+        self.vertex_count = vertex_count
+        start, end = faces[:, HALF_EDGE_START], faces[:, HALF_EDGE_END]
+        low, high = np.minimum(start, end), np.maximum(start, end)
+        keys, inverse = np.unique((low * vertex_count + high).ravel(), return_inverse=True)
+        self.edges: IntArray = np.column_stack(np.divmod(keys, vertex_count))
+        self.half_edge_edge: IntArray = inverse.reshape(faces.shape)
+        self.half_edge_forward: BoolArray = start <= end
+
+    @cached_property
+    def pairs(self) -> FacePairs:
+        """Every two triangles that share an edge."""
+        edge_of = self.half_edge_edge.ravel()
+        order = np.argsort(edge_of, kind="stable")  # stable: lower triangles come first
+        sorted_edges = edge_of[order]
+        valence = np.bincount(edge_of, minlength=len(self.edges))
+        left, right = [], []
+        for step in range(1, int(valence.max(initial=1))):
+            at = np.flatnonzero(sorted_edges[:-step] == sorted_edges[step:])
+            left.append(order[at])
+            right.append(order[at + step])
+        one = np.concatenate([*left, np.empty(0, dtype=np.int64)])
+        two = np.concatenate([*right, np.empty(0, dtype=np.int64)])
+        distinct = one // 3 != two // 3  # a triangle with a repeated vertex meets itself
+        one, two = one[distinct], two[distinct]
+        edge = edge_of[one]
+        return FacePairs(one // 3, two // 3, one % 3, two % 3, edge, valence[edge])
+
+    @cached_property
+    def links(self) -> IntArray:
+        """(q, 2) the triangles that a bending term joins: `pairs`, then `pinches`."""
+        pairs = np.column_stack([self.pairs.first, self.pairs.second])
+        return np.concatenate([pairs, self.pinches])
+
+    @cached_property
+    def vertex_component(self) -> IntArray:
+        """(n,) the connected component of each vertex; an unreferenced vertex is one by itself."""
+        return _components(self.edges, self.vertex_count)
+
+    @cached_property
+    def face_component(self) -> IntArray:
+        """(m,) components of triangles joined through shared edges."""
+        return _components(np.column_stack([self.pairs.first, self.pairs.second]), len(self.faces))
+
+    @cached_property
+    def pinches(self) -> IntArray:
+        """(q, 2) triangles that meet at a vertex although no chain of shared edges joins them.
+
+        Links enough of them that triangles connected through vertices are connected at all:
+        without a link nothing would tell such triangles how to turn against each other.
+        """
+        vertex = self.faces.ravel()
+        face = np.repeat(np.arange(len(self.faces)), 3)
+        component = self.face_component[face]
+        order = np.lexsort((component, vertex))
+        vertex, face, component = vertex[order], face[order], component[order]
+        meets = (vertex[:-1] == vertex[1:]) & (component[:-1] != component[1:])
+        return np.column_stack([face[:-1][meets], face[1:][meets]])
+
+
+def _components(links: IntArray, count: int) -> IntArray:
+    graph = sp.coo_array((np.ones(len(links)), (links[:, 0], links[:, 1])), shape=(count, count))
+    labels: IntArray = connected_components(graph, directed=False)[1].astype(np.int64)
+    return labels
+
+
+def half_edge_vectors(P: FloatArray, faces: IntArray) -> FloatArray:
+    """(m, 3, 3): row k of triangle t is the vector along its half-edge k."""
+    return P[faces[:, HALF_EDGE_END]] - P[faces[:, HALF_EDGE_START]]

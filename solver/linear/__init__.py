@@ -1,0 +1,1 @@
+"""The quadratic energy as a linear system: assembled, factorised, and its basis for a drag."""

@@ -1,0 +1,121 @@
+"""Which rows of the system are held, and by which handle."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solver.arrays import as_indices
+from solver.errors import ConstraintError
+from solver.linear.rest_surface import RestShape
+from solver.types import BoolArray, FloatArray, IntArray
+
+FREE = -1
+FIXED = 0  # handle number h is group 1 + h
+# Held points count as lying in one plane when their thickness is below this share of their extent.
+PLANAR = 1e-3
+
+
+@dataclass(frozen=True)
+class Constraints:
+    """Hard constraints of one bind.
+
+    handles: the vertices of each movable handle.
+    row_group: (n + 3m,) FREE, FIXED or 1 + h for each row of U.
+    free: the rows to solve for. A component that nothing holds is not among them.
+    held_components: (components,) whether anything holds that component.
+    """
+
+    handles: tuple[IntArray, ...]
+    row_group: IntArray
+    free: IntArray
+    held_components: BoolArray
+
+
+def build_constraints(
+    shape: RestShape, fixed: ArrayLike, handles: Sequence[ArrayLike], orientation: bool
+) -> Constraints:
+    """Vertices of `fixed` and `handles` are held; so are their triangles' frames if `orientation`.
+
+    Raises ConstraintError for an index out of range, an empty handle, or a vertex with two roles.
+    """
+    n = len(shape.vertices)
+    named = tuple(as_indices(h, n, f"handle {i}") for i, h in enumerate(handles))
+    group = np.full(n, FREE, dtype=np.int64)
+    group[as_indices(fixed, n, "fixed")] = FIXED
+    for number, vertices in enumerate(named):
+        _claim(group, vertices, number)
+    component = shape.topology.vertex_component
+    held = np.zeros(component.max() + 1, dtype=bool)
+    held[component[group != FREE]] = True
+    oriented = group != FREE if orientation else _underdetermined(shape, group)
+    face_group = _face_groups(shape, group, oriented)
+    row_group = shape.rows(group, face_group)
+    free = np.flatnonzero((row_group == FREE) & held[shape.row_component])
+    return Constraints(named, row_group, free, held)
+
+
+def _claim(group: IntArray, vertices: IntArray, number: int) -> None:
+    if len(vertices) == 0:
+        raise ConstraintError(f"handle {number} has no vertices")
+    if len(np.unique(vertices)) != len(vertices):
+        raise ConstraintError(f"handle {number} names a vertex twice")
+    taken = vertices[group[vertices] != FREE]
+    if len(taken):
+        other = group[taken[0]]
+        name = "fixed" if other == FIXED else f"in handle {other - 1}"
+        raise ConstraintError(f"vertex {taken[0]} is both {name} and in handle {number}")
+    group[vertices] = 1 + number
+
+
+def _pieces(shape: RestShape, group: IntArray) -> IntArray:
+    """(n,) a number for each group in each component."""
+    return np.asarray(shape.topology.vertex_component * (group.max() + 2) + group - FREE)
+
+
+def _face_groups(shape: RestShape, group: IntArray, oriented: BoolArray) -> IntArray:
+    """(m,) the group that holds each triangle's frame.
+
+    A group holds the triangles whose corners all belong to it. Where it has none in some
+    component (a single vertex, a line) it holds the triangles around: a seed vertex with its frame.
+    oriented: (n,) the held vertices whose group holds frames at all.
+    """
+    faces = shape.faces
+    corners = group[faces]
+    whole = (corners == corners[:, :1]).all(axis=1) & oriented[faces[:, 0]]
+    face_group = np.where(whole, corners[:, 0], FREE)
+    piece = _pieces(shape, group)
+    lacking = oriented & ~np.isin(piece, piece[faces[whole, 0]])
+    for vertex in faces.T:
+        around = (face_group == FREE) & lacking[vertex]
+        face_group = np.where(around, group[vertex], face_group)
+    return face_group
+
+
+def _underdetermined(shape: RestShape, group: IntArray) -> BoolArray:
+    """(n,) the held vertices around which positions alone leave the frames open.
+
+    A flat group leaves its normal open, and frames mirror. Where all that is held in a component
+    lies in a plane, on a line or in a point, the rest is free to turn or mirror about it.
+    """
+    held = np.flatnonzero(group != FREE)
+    own = _extents(shape.points[held], _pieces(shape, group)[held])
+    together = _extents(shape.points[held], shape.topology.vertex_component[held])
+    flat = (own[:, 0] <= PLANAR * own[:, 2]) & (own[:, 1] > PLANAR * own[:, 2])
+    result = np.zeros(len(group), dtype=bool)
+    result[held] = flat | (together[:, 0] <= PLANAR * together[:, 2])
+    return result
+
+
+def _extents(points: FloatArray, label: IntArray) -> FloatArray:
+    """(k, 3) how far the points that share a point's label extend, thinnest direction first."""
+    _, label = np.unique(label, return_inverse=True)
+    count = np.bincount(label)
+    mean = np.column_stack([np.bincount(label, points[:, axis]) for axis in range(3)])
+    offset = points - (mean / count[:, None])[label]
+    scatter = np.zeros((len(count), 3, 3))
+    np.add.at(scatter, label, offset[:, :, None] * offset[:, None, :])
+    return np.asarray(np.sqrt(np.linalg.eigvalsh(scatter).clip(min=0.0))[label])

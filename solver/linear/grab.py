@@ -1,0 +1,100 @@
+"""Soft handles: grab anywhere, on the factorisation that is already there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solver.arrays import as_floats
+from solver.errors import ConstraintError
+from solver.linear.constraints import Constraints
+from solver.linear.rest_surface import RestShape
+from solver.linear.system import System
+from solver.types import FloatArray, IntArray
+
+# A region thinner than this share of its extent has no say on the direction it is thin in.
+THIN = 1e-3
+
+
+class Moments:
+    """Linear conditions C'X = wanted on the unknowns of a factorised system A.
+
+    The multipliers follow from S = C'Y with Y = A^-1 C: what is minimal stays minimal under them.
+    """
+
+    def __init__(self, C: FloatArray, Y: FloatArray) -> None:
+        self.C = C
+        self.Y = Y
+        self.inverse = np.linalg.pinv(C.T @ Y, hermitian=True)
+
+    def of(self, X: FloatArray) -> FloatArray:
+        """C'X, the moments of X (unknowns, k)."""
+        return self.C.T @ X
+
+    def meet(self, X: FloatArray, wanted: FloatArray) -> FloatArray:
+        """X with the least energy added that gives it the moments `wanted`."""
+        return X + self.Y @ (self.inverse @ (wanted - self.of(X)))
+
+
+@dataclass(frozen=True)
+class SoftHandle:
+    """One grab: the weighted best affine fit of a region is asked to equal T.
+
+    weights: (n,) as given.
+    moments: C, (free rows, 4), with C'U = C'J T asked of the free rows.
+    influence: Y = A^-1 C, (free rows, 4).
+    carried: rows of components that nothing else holds; they follow T rigidly.
+    """
+
+    weights: FloatArray
+    moments: FloatArray
+    influence: FloatArray
+    carried: IntArray
+
+
+def grab_region(
+    shape: RestShape, constraints: Constraints, system: System, weights: ArrayLike, lever: float
+) -> SoftHandle:
+    """A soft handle on the vertices where `weights` (n,) is positive: four back-substitutions.
+
+    Weights on held vertices have no effect: those move with their handle. In directions in which
+    the region is flat, thin or a single point its positions determine no affine map; there the
+    mean of its frames is asked instead, with `lever` (normalised length) as their arm.
+    Raises ConstraintError unless weights are (n,), non-negative, and positive on a free vertex.
+    """
+    w = as_floats(weights, "grab weights", ConstraintError)
+    n = len(shape.vertices)
+    if w.shape != (n,):
+        raise ConstraintError(f"grab weights must be ({n},), got {w.shape}")
+    if (w < 0).any():
+        raise ConstraintError(f"grab weights must not be negative, got {w.min()}")
+    component = shape.topology.vertex_component
+    loose = np.unique(component[(w > 0) & ~constraints.held_components[component]])
+    carried = np.flatnonzero(np.isin(shape.row_component, loose))
+    moments = _moments(shape, w, lever)[system.free]
+    if not moments.any() and len(carried) == 0:
+        raise ConstraintError("grab weights select no vertex that is free to move")
+    return SoftHandle(w, moments, system.factor.solve(moments), carried)
+
+
+def _moments(shape: RestShape, weights: FloatArray, lever: float) -> FloatArray:
+    """C = diag(omega) J, with the frames' rows only where positions determine nothing."""
+    n = len(weights)
+    J = shape.affine_rows
+    omega = weights / max(weights.max(), np.finfo(float).tiny)
+    C = np.zeros_like(J)
+    C[:n] = omega[:, None] * J[:n]
+    normals = _undetermined_directions(shape.points, omega)
+    frame_weight = np.repeat(lever**2 * omega[shape.faces].mean(axis=1), 3)
+    C[n:, :3] = frame_weight[:, None] * (J[n:, :3] @ normals @ normals.T)
+    return C
+
+
+def _undetermined_directions(points: FloatArray, omega: FloatArray) -> FloatArray:
+    """(3, r) the directions in which the weighted points do not extend."""
+    centred = points - np.average(points, axis=0, weights=omega) if omega.any() else points
+    spread, axes = np.linalg.eigh((centred * omega[:, None]).T @ centred)
+    extent = max(spread[-1], np.finfo(float).tiny)
+    return np.asarray(axes[:, spread <= THIN**2 * extent])

@@ -1,0 +1,98 @@
+"""The rest surface as every solver of one mesh shares it."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solver.arrays import as_faces, as_vertices
+from solver.factor import minimum_degree
+from solver.geometry.topology import Topology
+from solver.linear.energy import RestEnergy
+from solver.types import FloatArray, IntArray
+
+
+class RestShape:
+    """Positions in units of the bounding box's diagonal about its centre, and connectivity.
+
+    In these units positions and frames have one magnitude, and nothing depends on the scale or
+    the place of the file.
+
+    vertices, faces: as given.  points: (n, 3) the same vertices in normalised units.
+    """
+
+    def __init__(self, V: ArrayLike, F: ArrayLike) -> None:
+        self.vertices = as_vertices(V)
+        self.faces = as_faces(F, len(self.vertices))
+        self.topology = Topology(self.faces, len(self.vertices))
+        low, high = self.vertices.min(axis=0), self.vertices.max(axis=0)
+        self.centre: FloatArray = 0.5 * (low + high)
+        self.scale = float(np.linalg.norm(high - low)) or 1.0  # all vertices in one point
+        self.points: FloatArray = (self.vertices - self.centre) / self.scale
+
+    @property
+    def row_count(self) -> int:
+        """n + 3m: a row for each vertex, three for each triangle."""
+        return len(self.vertices) + 3 * len(self.faces)
+
+    def rows(self, per_vertex: np.ndarray, per_face: np.ndarray) -> np.ndarray:
+        """One value for each row of U from one a vertex and one a triangle."""
+        return np.concatenate([per_vertex, np.repeat(per_face, 3)])
+
+    @cached_property
+    def energy(self) -> RestEnergy:
+        """What the energy takes from the rest positions."""
+        return RestEnergy(self.points, self.topology)
+
+    @cached_property
+    def elimination_order(self) -> IntArray | None:
+        """(n + 3m,) an order of U's rows that keeps factors sparse; None where none is found.
+
+        Found once for a mesh, on the graph of its vertices and triangles: the three rows of a
+        triangle belong together. What stays of it when some rows are held is a good order too.
+        """
+        n, m = len(self.vertices), len(self.faces)
+        topology = self.topology
+        corners = np.column_stack([n + np.repeat(np.arange(m), 3), self.faces.ravel()])
+        graph = np.concatenate([topology.edges, corners, n + topology.links])
+        order = minimum_degree(graph.max(axis=1), graph.min(axis=1), n + m)
+        if order is None:
+            return None
+        size = np.where(order < n, 1, 3)
+        first = np.where(order < n, order, 3 * order - 2 * n)
+        within = np.arange(size.sum()) - np.repeat(np.cumsum(size) - size, size)
+        return np.repeat(first, size) + within
+
+    @cached_property
+    def affine_rows(self) -> FloatArray:
+        """J, (n + 3m, 4), with U = J T for a surface that moves by the affine map T (4, 3)."""
+        J = np.zeros((self.row_count, 4))
+        n = len(self.points)
+        J[:n, :3] = self.points
+        J[:n, 3] = 1.0
+        J[n:, :3] = np.tile(np.eye(3), (len(self.faces), 1))
+        return J
+
+    @cached_property
+    def row_component(self) -> IntArray:
+        """(n + 3m,) the connected component of each row."""
+        component = self.topology.vertex_component
+        return self.rows(component, component[self.faces[:, 0]])
+
+    def normalise(self, X: FloatArray) -> FloatArray:
+        """World positions in normalised units."""
+        return (X - self.centre) / self.scale
+
+    def displace(self, displacement: FloatArray) -> FloatArray:
+        """World positions (n, 3) of the rest surface displaced by normalised units.
+
+        A zero displacement gives back the rest positions to the last bit.
+        """
+        return self.vertices + self.scale * displacement
+
+    def stack(self, transform: FloatArray) -> FloatArray:
+        """World transform (4, 4) as T = [A'; t'] (4, 3) acting on normalised rows [p', 1]."""
+        A, t = transform[:3, :3], transform[:3, 3]
+        return np.vstack([A.T, (A @ self.centre + t - self.centre) / self.scale])

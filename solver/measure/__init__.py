@@ -1,0 +1,1 @@
+"""How far a deformed surface is from its rest shape."""

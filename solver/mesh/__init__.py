@@ -1,0 +1,1 @@
+"""Meshes as files hold them: polygons, normals, formats."""

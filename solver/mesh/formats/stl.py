@@ -1,0 +1,75 @@
+"""STL files: a soup of triangles, as text or binary, in float32."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from solver.errors import MeshError
+from solver.mesh.formats.text import Text, points, split_lines
+from solver.mesh.polygons import Polygons
+from solver.types import FloatArray, IntArray
+
+_RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+_HEAD = 84
+
+
+def read_stl(data: bytes, name: str) -> tuple[FloatArray, Polygons]:
+    """Vertices and triangles; corners at exactly the same place become one vertex.
+
+    Raises MeshError saying what was expected.
+    """
+    if not data:
+        raise MeshError(f"{name}: the file is empty, expected an STL mesh")
+    is_text = data.lstrip()[:5].lower() == b"solid" and b"facet" in data
+    corners = _read_text(data, name) if is_text else _read_binary(data, name)
+    V, faces = _weld(corners)
+    return V, Polygons.from_array(faces)
+
+
+def write_stl(X: FloatArray, polygons: Polygons) -> bytes:
+    """Binary STL of a mesh of triangles. The format rounds to float32."""
+    corners = X[polygons.corners.reshape(-1, 3)]
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    length = np.linalg.norm(normal, axis=1, keepdims=True)
+    records = np.zeros(len(corners), dtype=_RECORD)
+    records["normal"] = normal / np.where(length > 0, length, 1)
+    records["corners"] = corners
+    return bytes(80) + np.uint32(len(corners)).tobytes() + records.tobytes()
+
+
+def _read_binary(data: bytes, name: str) -> FloatArray:
+    count = int(np.frombuffer(data, "<u4", 1, 80)[0]) if len(data) >= _HEAD else 0
+    if count == 0 or len(data) < _HEAD + count * _RECORD.itemsize:
+        raise MeshError(
+            f"{name}: not an STL mesh, or cut short: {len(data)} bytes, "
+            f"expected {_HEAD + max(count, 1) * _RECORD.itemsize} or more"
+        )
+    corners = np.frombuffer(data, _RECORD, count, _HEAD)["corners"].astype(np.float64)
+    bad = np.flatnonzero(~np.isfinite(corners).all(axis=(1, 2)))
+    if bad.size:
+        raise MeshError(f"{name}, triangle {bad[0] + 1}: expected finite coordinates")
+    return corners.reshape(-1, 3)
+
+
+def _read_text(data: bytes, name: str) -> FloatArray:
+    lines = split_lines(name, data, "an STL mesh")
+    text = Text(name, lines, lines)
+    words = [line.lower().lstrip() for line in lines]
+    at = [i for i, word in enumerate(words) if word.startswith(b"vertex")]
+    facets = sum(word.startswith(b"facet") for word in words)
+    if len(at) != 3 * facets or not any(word.startswith(b"endsolid") for word in words):
+        raise MeshError(
+            f"{name}: the file ends early, got {len(at)} vertices for {facets} facets, "
+            "expected three each and 'endsolid'"
+        )
+    return points(text, at, 1)
+
+
+def _weld(corners: FloatArray) -> tuple[FloatArray, IntArray]:
+    """(3 m, 3) corners -> vertices in the order they first appear, and triangles."""
+    # Adding zero makes -0.0 and 0.0 the same place.
+    _, first, inverse = np.unique(corners + 0.0, axis=0, return_index=True, return_inverse=True)
+    order = np.argsort(first)
+    rank = np.empty(len(order), dtype=np.int64)
+    rank[order] = np.arange(len(order))
+    return corners[first[order]], rank[inverse.ravel()].reshape(-1, 3)

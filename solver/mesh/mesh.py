@@ -1,0 +1,164 @@
+"""What a valid mesh is: a surface read from a file or from arrays, and saved with new positions."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solver.errors import MeshError
+from solver.mesh.formats.obj import ObjSource, read_obj
+from solver.mesh.formats.obj_write import plain_obj, rewrite_obj
+from solver.mesh.formats.off import read_off, write_off
+from solver.mesh.formats.ply import read_ply, write_ply
+from solver.mesh.formats.stl import read_stl, write_stl
+from solver.mesh.normals import turn_normals
+from solver.mesh.polygons import Polygons, triangulate
+from solver.storage import read_bytes, write_atomically
+from solver.types import FloatArray, IntArray
+
+_READERS: dict[str, Callable[[bytes, str], tuple[FloatArray, Polygons]]] = {
+    ".off": read_off,
+    ".ply": read_ply,
+    ".stl": read_stl,
+}
+SUFFIXES = (".obj", *_READERS)
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """A surface: `vertices` (n, 3) float64 in file order, `faces` (m, 3) int64 triangles.
+
+    Arrays are read-only. `outlines` are the polygons of the file, `triangle_corners` (m, 3) their
+    corners that each triangle takes: `faces == outlines.corners[triangle_corners]`. `source` is
+    what an OBJ file holds beyond that.
+    """
+
+    vertices: FloatArray
+    outlines: Polygons
+    triangle_corners: IntArray
+    faces: IntArray
+    path: Path | None = None
+    source: ObjSource | None = None
+
+    @classmethod
+    def from_arrays(cls, V: ArrayLike, F: ArrayLike) -> Mesh:
+        """A mesh of triangles (m, 3) or quads (m, 4) over (n, 3) finite positions.
+
+        Raises MeshError where the arrays do not describe one.
+        """
+        vertices = _positions(V)
+        faces = np.asarray(F)
+        if faces.ndim != 2 or faces.shape[1] not in (3, 4):
+            raise MeshError(f"faces must be (m, 3) or (m, 4), got {faces.shape}")
+        if faces.dtype.kind not in "iu":
+            raise MeshError(f"faces must be whole numbers, got {faces.dtype}")
+        polygons = Polygons.from_array(faces.astype(np.int64))
+        wrong = np.flatnonzero((polygons.corners < 0) | (polygons.corners >= len(vertices)))
+        if wrong.size:
+            face, vertex = wrong[0] // faces.shape[1], polygons.corners[wrong[0]]
+            last = len(vertices) - 1
+            raise MeshError(f"face {face} names vertex {vertex}, but they go from 0 to {last}")
+        return _build(vertices, polygons, "the mesh")
+
+    @cached_property
+    def polygons(self) -> IntArray | list[list[int]]:
+        """The faces of the file for display: (p, k) where all have k corners, else lists."""
+        sizes = self.outlines.sizes
+        if (sizes == sizes[0]).all():
+            return self.outlines.corners.reshape(-1, int(sizes[0]))
+        return self.outlines.tolist()
+
+    def save(self, path: str | os.PathLike[str], X: ArrayLike) -> None:
+        """Write the mesh with positions X (n, 3), in the format of the path's suffix.
+
+        An OBJ saved from an OBJ keeps every byte of its source but the coordinates of `v` lines
+        that moved and of `vn` lines that turned. Other formats keep the polygons (STL: triangles).
+        Raises MeshError for X or the suffix, FileError where the file cannot be written.
+        """
+        suffix = _suffix(path)
+        positions = _positions(X)
+        if positions.shape != self.vertices.shape:
+            expected = self.vertices.shape
+            raise MeshError(f"positions must be {expected}, got {positions.shape}")
+        write_atomically(path, self._encode(suffix, positions))
+
+    def _encode(self, suffix: str, X: FloatArray) -> bytes:
+        if suffix == ".off":
+            return write_off(X, self.outlines)
+        if suffix == ".ply":
+            return write_ply(X, self.outlines)
+        if suffix == ".stl":
+            return write_stl(X, Polygons.from_array(self.faces))
+        if self.source is None:
+            return plain_obj(X, self.outlines)
+        users = self.source.corner_normals[self.triangle_corners]
+        turned = turn_normals(self.source.normals, users, self.vertices, X, self.faces)
+        moved = (self.vertices != X).any(axis=1)
+        return rewrite_obj(self.source, X, moved, *turned)
+
+
+def load_mesh(path: str | os.PathLike[str]) -> Mesh:
+    """Read an OBJ, OFF, PLY or STL file.
+
+    Raises FileError where the file cannot be read and MeshError, in one line that names the place,
+    where it does not hold a surface.
+    """
+    suffix, name = _suffix(path), os.fspath(path)
+    data = read_bytes(path)
+    source = None
+    if suffix == ".obj":
+        vertices, polygons, source = read_obj(data, name)
+    else:
+        vertices, polygons = _READERS[suffix](data, name)
+    return _build(vertices, polygons, name, Path(path), source)
+
+
+def _build(
+    vertices: FloatArray,
+    polygons: Polygons,
+    name: str,
+    path: Path | None = None,
+    source: ObjSource | None = None,
+) -> Mesh:
+    if not len(polygons.sizes):
+        raise MeshError(f"{name}: no faces, expected at least one")
+    corners = triangulate(vertices, polygons)
+    faces = polygons.corners[corners]
+    for array in (vertices, polygons.sizes, polygons.corners, corners, faces):
+        _lock(array)
+    return Mesh(vertices, polygons, corners, faces, path, source)
+
+
+def _positions(X: ArrayLike) -> FloatArray:
+    """A copy as (n, 3) float64."""
+    try:
+        positions = np.array(X, dtype=np.float64, order="C")
+    except (TypeError, ValueError) as error:
+        raise MeshError(f"positions must be (n, 3) numbers, got {type(X).__name__}") from error
+    if positions.ndim != 2 or positions.shape[1] != 3:
+        raise MeshError(f"positions must be (n, 3), got {positions.shape}")
+    bad = np.flatnonzero(~np.isfinite(positions).all(axis=1))
+    if bad.size:
+        raise MeshError(
+            f"positions must be finite, got {positions[bad[0]].tolist()} at vertex {bad[0]}"
+        )
+    return positions
+
+
+def _suffix(path: str | os.PathLike[str]) -> str:
+    suffix = Path(path).suffix.lower()
+    if suffix not in SUFFIXES:
+        known = ", ".join(SUFFIXES)
+        raise MeshError(f"{os.fspath(path)}: unknown mesh format {suffix!r}, expected {known}")
+    return suffix
+
+
+def _lock(array: NDArray[Any]) -> None:
+    array.setflags(write=False)

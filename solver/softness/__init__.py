@@ -1,0 +1,1 @@
+"""From softness painted on vertices to the gains of edges."""

@@ -1,0 +1,46 @@
+"""Smooth softness from a few values: the harmonic field between them."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solver.arrays import as_faces, as_floats, as_indices, as_vertices, check_unit_interval
+from solver.errors import MaterialError
+from solver.factor import factorize
+from solver.geometry.laplacian import cotangent_laplacian
+from solver.geometry.topology import Topology
+from solver.types import FloatArray
+
+
+def interpolate_softness(
+    V: ArrayLike, F: ArrayLike, indices: ArrayLike, values: ArrayLike
+) -> FloatArray:
+    """Harmonic softness, (n,): argmin of the Dirichlet energy 1/2 s' L s with s[indices] = values.
+
+    L is the cotangent Laplacian with weights clamped to positive values, so that the maximum
+    principle holds: the result lies between the smallest and the largest value given. A
+    component with no value is rigid (0). values: (k,) in [0, 1].
+    Raises MeshError, ConstraintError (indices) or MaterialError (values).
+    """
+    V = as_vertices(V)
+    F = as_faces(F, len(V))
+    painted = as_indices(indices, len(V), "indices")
+    values = as_floats(values, "values", MaterialError)
+    if values.shape != painted.shape:
+        raise MaterialError(
+            f"values must be {painted.shape}, one for each index, got {values.shape}"
+        )
+    if len(np.unique(painted)) != len(painted):
+        raise MaterialError("indices name a vertex twice, expected one value for each")
+    check_unit_interval(values, "values", MaterialError)
+    softness = np.zeros(len(V))
+    softness[painted] = values
+    component = Topology(F, len(V)).vertex_component
+    free = np.isin(component, component[painted])
+    free[painted] = False
+    L = cotangent_laplacian(V, F)[np.flatnonzero(free)]
+    if free.any():
+        softness[free] = factorize(L[:, np.flatnonzero(free)]).solve(-(L @ softness)[:, None])[:, 0]
+    # Rounding may pass the bounds by a unit in the last place; painting code relies on them.
+    return np.clip(softness, values.min(initial=0.0), values.max(initial=0.0))
