@@ -6,10 +6,10 @@ from pathlib import Path
 
 from app.editor.file_actions import load_document
 from app.model.document import Document
-from app.worker.bench import bind
 from app.worker.requests import BindRequest
+from app.worker.service import bind
 from solver import load_mesh
-from solver.mesh.report import MeshReport, report
+from solver.mesh.statistics import MeshStatistics, mesh_statistics
 from solver.types import FloatArray
 
 POLYGON_NAMES = {3: "triangles", 4: "quads"}
@@ -34,12 +34,12 @@ def posed(document: Document) -> FloatArray:
 
 def info(path: Path) -> str:
     """What a mesh file holds and what is unusual about it, as text. Raises SolverError."""
-    counts = report(load_mesh(path))
+    counts = mesh_statistics(load_mesh(path))
     lines = [f"{path}", *_surface_lines(counts), *_extra_lines(counts), *_odd_lines(counts)]
     return "\n".join(lines)
 
 
-def _surface_lines(counts: MeshReport) -> list[str]:
+def _surface_lines(counts: MeshStatistics) -> list[str]:
     polygons = ", ".join(
         f"{number:,} {POLYGON_NAMES.get(size, f'{size}-gons')}"
         for size, number in sorted(counts.polygon_sizes.items())
@@ -54,12 +54,12 @@ def _surface_lines(counts: MeshReport) -> list[str]:
     ]
 
 
-def _extra_lines(counts: MeshReport) -> list[str]:
+def _extra_lines(counts: MeshStatistics) -> list[str]:
     kept = ("texture_coordinates", "normals", "groups")
     return [_line(_words(name), f"{getattr(counts, name):,}") for name in kept]
 
 
-def _odd_lines(counts: MeshReport) -> list[str]:
+def _odd_lines(counts: MeshStatistics) -> list[str]:
     """What may surprise; all of it loads and deforms."""
     lines = [_line("boundary", f"{counts.boundary_edges:,} edges, {counts.boundary_loops:,} loops")]
     odd = ("non_manifold_edges", "degenerate_triangles", "duplicate_faces", "isolated_vertices")

@@ -12,7 +12,7 @@ from benchmarks.quality_metrics import Fold, measure
 from solver.geometry.rotations import nearest_rotations
 from solver.linear.assembly import deformation_matrix
 from solver.linear.binding import Options, bind
-from solver.linear.rest_surface import RestShape
+from solver.linear.rest_surface import RestSurface
 from solver.rigid.levels import Rigidity
 from solver.softness.material import Material
 from solver.types import FloatArray
@@ -30,7 +30,7 @@ class Study:
 
     def __init__(self, case: Case, bending_gain: float = 0.1) -> None:
         material = Material(bending_gain, 1.0)
-        self._shape = RestShape(case.V, case.F)
+        self._shape = RestSurface(case.V, case.F)
         self._binding = bind(
             self._shape, Options(case.fixed, case.handles, case.softness, material)
         )

@@ -17,9 +17,9 @@ from solver.geometry.procrustes import rigid_motion
 from solver.linear.binding import Binding, Options, bind
 from solver.linear.constraints import FIXED
 from solver.linear.drag_model import DragModel, Transforms
-from solver.linear.grab import Moments, SoftHandle, grab_region
+from solver.linear.grab import Grab, Moments, make_grab
 from solver.linear.response import soften
-from solver.linear.rest_surface import RestShape
+from solver.linear.rest_surface import RestSurface
 from solver.rigid.half_way import half_way, squared
 from solver.rigid.levels import Rigidity
 from solver.softness.material import EdgeGains, Material
@@ -64,9 +64,9 @@ class Deformer:
             fixed, handles, softness, material, bending_length, orientation, edge_gains
         )
         # A copy: what the caller does to its arrays later must not reach a later rebind.
-        self._attach(bind(RestShape(V, F), deepcopy(options)), ())
+        self._attach(bind(RestSurface(V, F), deepcopy(options)), ())
 
-    def _attach(self, binding: Binding, grabs: tuple[SoftHandle, ...]) -> None:
+    def _attach(self, binding: Binding, grabs: tuple[Grab, ...]) -> None:
         self._binding = binding
         self._shape = binding.shape
         self._system = binding.system
@@ -78,7 +78,7 @@ class Deformer:
         )
 
     @classmethod
-    def _of(cls, binding: Binding, grabs: tuple[SoftHandle, ...]) -> Deformer:
+    def _of(cls, binding: Binding, grabs: tuple[Grab, ...]) -> Deformer:
         deformer = object.__new__(cls)
         deformer._attach(binding, grabs)
         return deformer
@@ -179,7 +179,7 @@ class Deformer:
         transform comes last in `pose`. Raises ConstraintError.
         """
         binding = self._binding
-        grab = grab_region(
+        grab = make_grab(
             binding.shape,
             binding.constraints,
             binding.system,
@@ -229,7 +229,7 @@ class Deformer:
         return shape.displace(X - shape.points)
 
 
-def _stack(grabs: Sequence[SoftHandle], unknowns: int) -> Moments:
+def _stack(grabs: Sequence[Grab], unknowns: int) -> Moments:
     none = np.empty((unknowns, 0))
     return Moments(
         np.hstack([none, *(grab.moments for grab in grabs)]),

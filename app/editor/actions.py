@@ -12,7 +12,7 @@ from app.editor import commands as c
 from app.model.document import FREE, SETTINGS, Handle, is_number
 from app.tools.softness_strokes import SOFTNESS_MODES
 from app.tools.table import TOOLS
-from app.workspace.colors import MAPS
+from app.workspace.color_maps import MAPS
 from app.workspace.workspace import Workspace
 from solver.softness.checks import smooth_softness
 from solver.softness.harmonic import interpolate_softness

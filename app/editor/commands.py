@@ -52,7 +52,7 @@ class SetTurn(Command):
 
 @dataclass(frozen=True)
 class SetMap(Command):
-    """Show one of colors.MAPS."""
+    """Show one of color_maps.MAPS."""
 
     interrupts: ClassVar[bool] = False
     name: str

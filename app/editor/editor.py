@@ -8,7 +8,7 @@ from app.editor.file_actions import FILE_ACTIONS
 from app.model.document import FIRST_HANDLE, FIXED
 from app.tools.table import TOOLS
 from app.workspace import binding
-from app.workspace.colors import MAPS
+from app.workspace.color_maps import MAPS
 from app.workspace.events import Input
 from app.workspace.picking import Hit
 from app.workspace.softness_warnings import softness_warnings

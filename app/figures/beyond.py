@@ -10,7 +10,7 @@ from app.figures.arm import ELBOW, JOINT, Arm, turn
 from app.figures.figure import Figure, soft
 from app.figures.measures import ArmMeasures, Numbers
 from app.workspace.brush import falloff
-from app.workspace.colors import FIXED_COLOR, viridis
+from app.workspace.color_maps import FIXED_COLOR, viridis
 from solver import Deformer, interpolate_softness
 from solver.geometry.procrustes import rigid_motion
 from solver.softness.checks import check_softness

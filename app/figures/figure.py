@@ -9,7 +9,7 @@ import numpy as np
 
 from app.figures.arm import Arm
 from app.figures.measures import Numbers
-from app.workspace.colors import ACTIVE_COLOR, FIXED_COLOR, FREE_COLOR, viridis
+from app.workspace.color_maps import ACTIVE_COLOR, FIXED_COLOR, FREE_COLOR, viridis
 from solver.types import BoolArray, FloatArray
 
 CameraName = Literal["figure", "arm", "elbow"]

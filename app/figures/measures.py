@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from app.figures.arm import ELBOW, FOLD_AXIS, JOINT, REACH, SHOULDER, UP, WRIST, Arm
-from solver.measure.distortion import ShapeChange
+from solver.measure.distortion import Distortion
 from solver.types import BoolArray, FloatArray, IntArray
 
 Numbers = dict[str, float]
@@ -36,7 +36,7 @@ class ArmMeasures:
 
     def __init__(self, arm: Arm) -> None:
         self._arm = arm
-        self._change = ShapeChange(arm.V, arm.F)
+        self._change = Distortion(arm.V, arm.F)
         x = np.linspace(SHOULDER + MARGIN, WRIST - MARGIN, SECTIONS)
         x[np.abs(x - ELBOW).argmin()] = ELBOW
         limb = arm.edges[(arm.V[arm.edges, 0] > SHOULDER - MARGIN).all(axis=1)]

@@ -22,7 +22,7 @@ class Tool:
     """key: on the keyboard. paints: shows the brush.
 
     begin: what a press on the surface starts; None leaves the press to the camera.
-    map: the one of colors.MAPS that shows what the tool does, None to leave it as it is.
+    map: the one of color_maps.MAPS that shows what the tool does, None to leave it as it is.
     """
 
     label: str

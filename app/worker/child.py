@@ -8,7 +8,7 @@ from __future__ import annotations
 import signal
 from multiprocessing.connection import Connection
 
-from app.worker.bench import Bench
+from app.worker.service import SolverService
 from app.worker.shared import Guest, Packed, unpack
 
 
@@ -16,12 +16,12 @@ def serve(connection: Connection) -> None:
     """Meet requests until the other side is gone."""
     # Ctrl+C in a terminal reaches both processes; the window decides what it means.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    bench, guest = Bench(), Guest()
+    service, guest = SolverService(), Guest()
     while True:
         try:
             name, parcel = connection.recv()
             memory = guest.attach(name)
-            answer = bench.answer(unpack(parcel, memory))
+            answer = service.answer(unpack(parcel, memory))
             connection.send(Packed(answer).put(memory))
         except (EOFError, OSError):
             return

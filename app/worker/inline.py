@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from app.worker.bench import Bench
 from app.worker.requests import Request, Result, result_of
+from app.worker.service import SolverService
 
 
 class InlineWorker:
@@ -12,12 +12,12 @@ class InlineWorker:
     binding = False
 
     def __init__(self) -> None:
-        self._bench = Bench()
+        self._service = SolverService()
         self._results: list[Result] = []
 
     def request(self, request: Request) -> None:
         """See Worker; returns when it is done."""
-        self._results.append(result_of(request, self._bench.answer(request)))
+        self._results.append(result_of(request, self._service.answer(request)))
 
     def poll(self) -> list[Result]:
         """See Worker."""

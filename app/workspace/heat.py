@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from app.model.document import FREE, Document
-from solver.measure.distortion import ShapeChange
+from solver.measure.distortion import Distortion
 from solver.mesh.mesh import Mesh
 from solver.types import FloatArray
 
@@ -58,5 +58,5 @@ class Heat:
         self._shown = wanted
 
     @cached_property
-    def _change(self) -> ShapeChange:
-        return ShapeChange(self._mesh.vertices, self._mesh.faces)
+    def _change(self) -> Distortion:
+        return Distortion(self._mesh.vertices, self._mesh.faces)

@@ -49,7 +49,7 @@ class Interaction(Protocol):
 class Workspace:
     """One open document with its history and its surface on screen, and what a person chose.
 
-    tool: a name in tools.TOOLS.  map: a name in colors.MAPS.  turn: dragged handles turn by
+    tool: a name in tools.TOOLS.  map: a name in color_maps.MAPS.  turn: dragged handles turn by
     themselves.  message: the last one, None before the first.  export_path: where Export goes
     by default.  session_path: the session file last opened or saved.  interaction: the stroke or
     drag in progress.  requested_version: the document's bind_version last taken care of.

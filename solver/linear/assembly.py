@@ -16,7 +16,7 @@ from solver.types import BoolArray, FloatArray, IntArray
 OWN_ROW, OWN_COLUMN = np.tril_indices(3)
 
 
-class Stencil:
+class Pattern:
     """The entries of K's lower triangle that come from some of a mesh's triangles.
 
     rows, columns: (z,) places in K (n + 3m, n + 3m), rows >= columns. A place occurs twice only
@@ -95,7 +95,7 @@ def deformation_matrix(
 ) -> sp.csr_array:
     """K, (n + 3m, n + 3m), of the whole energy relative to the rest surface P (n, 3)."""
     energy = RestEnergy(P, topology)
-    stencil = Stencil(topology, np.ones(len(topology.faces), dtype=bool))
-    values = stencil.values(energy, energy.weights(bending_length, gains))
+    pattern = Pattern(topology, np.ones(len(topology.faces), dtype=bool))
+    values = pattern.values(energy, energy.weights(bending_length, gains))
     size = topology.vertex_count + 3 * len(topology.faces)
-    return symmetric(stencil.rows, stencil.columns, values, (size, size))
+    return symmetric(pattern.rows, pattern.columns, values, (size, size))

@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike
 from solver.errors import MaterialError
 from solver.linear.constraints import Constraints, build_constraints
 from solver.linear.response import Response, hard_response
-from solver.linear.rest_surface import RestShape
-from solver.linear.system import Layout, System
+from solver.linear.rest_surface import RestSurface
+from solver.linear.system import Structure, System
 from solver.softness.material import EdgeGains, Material, explicit_gains, softness_gains
 
 
@@ -44,15 +44,15 @@ class Binding:
     options: with the bending length that the mesh resolves, see RestEnergy.resolved.
     """
 
-    shape: RestShape
+    shape: RestSurface
     options: Options
     constraints: Constraints
-    layout: Layout
+    structure: Structure
     system: System
     hard: Response
 
 
-def bind(shape: RestShape, options: Options, earlier: Binding | None = None) -> Binding:
+def bind(shape: RestSurface, options: Options, earlier: Binding | None = None) -> Binding:
     """Assemble, factorise and find the basis. Raises ConstraintError or MaterialError.
 
     earlier: a binding of the same shape; what has not changed since then is shared.
@@ -64,14 +64,14 @@ def bind(shape: RestShape, options: Options, earlier: Binding | None = None) -> 
     else:
         gains = softness_gains(topology, options.softness, options.material)
     if earlier is not None and _same_constraints(options, earlier.options):
-        constraints, layout = earlier.constraints, earlier.layout
+        constraints, structure = earlier.constraints, earlier.structure
     else:
         constraints = build_constraints(shape, options.fixed, options.handles, options.orientation)
-        layout = Layout(shape, constraints)
+        structure = Structure(shape, constraints)
     weights = shape.energy.weights(options.bending_length, gains)
-    system = System(shape, layout, weights)
+    system = System(shape, structure, weights)
     hard = hard_response(shape, constraints, system)
-    return Binding(shape, options, constraints, layout, system, hard)
+    return Binding(shape, options, constraints, structure, system, hard)
 
 
 def _same_constraints(one: Options, two: Options) -> bool:

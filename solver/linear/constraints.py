@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from solver.arrays import as_indices
 from solver.errors import ConstraintError
-from solver.linear.rest_surface import RestShape
+from solver.linear.rest_surface import RestSurface
 from solver.types import BoolArray, FloatArray, IntArray
 
 FREE = -1
@@ -36,7 +36,7 @@ class Constraints:
 
 
 def build_constraints(
-    shape: RestShape, fixed: ArrayLike, handles: Sequence[ArrayLike], orientation: bool
+    shape: RestSurface, fixed: ArrayLike, handles: Sequence[ArrayLike], orientation: bool
 ) -> Constraints:
     """Vertices of `fixed` and `handles` are held; so are their triangles' frames if `orientation`.
 
@@ -71,12 +71,12 @@ def _claim(group: IntArray, vertices: IntArray, number: int) -> None:
     group[vertices] = 1 + number
 
 
-def _pieces(shape: RestShape, group: IntArray) -> IntArray:
+def _pieces(shape: RestSurface, group: IntArray) -> IntArray:
     """(n,) a number for each group in each component."""
     return np.asarray(shape.topology.vertex_component * (group.max() + 2) + group - FREE)
 
 
-def _face_groups(shape: RestShape, group: IntArray, oriented: BoolArray) -> IntArray:
+def _face_groups(shape: RestSurface, group: IntArray, oriented: BoolArray) -> IntArray:
     """(m,) the group that holds each triangle's frame.
 
     A group holds the triangles whose corners all belong to it. Where it has none in some
@@ -95,7 +95,7 @@ def _face_groups(shape: RestShape, group: IntArray, oriented: BoolArray) -> IntA
     return face_group
 
 
-def _underdetermined(shape: RestShape, group: IntArray) -> BoolArray:
+def _underdetermined(shape: RestSurface, group: IntArray) -> BoolArray:
     """(n,) the held vertices around which positions alone leave the frames open.
 
     A flat group leaves its normal open, and frames mirror. Where all that is held in a component

@@ -28,7 +28,7 @@ class DragModel:
     It holds no factor and no connectivity: small, picklable, and enough for a process that draws
     while another one solves. `Deformer.drag_model` makes it.
 
-    vertices: (n, 3) rest positions.  centre, scale: of the normalised units (see RestShape).
+    vertices: (n, 3) rest positions.  centre, scale: of the normalised units (see RestSurface).
     moving: (k,) the vertices that any handle can move, or a slice with all of them.
     basis: (k, 4h) B at those vertices. A row of zeros leaves its vertex alone to the last bit.
         In float64: float32 was measured to save nothing, the result being float64 anyway.

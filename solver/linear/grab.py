@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from solver.arrays import as_floats
 from solver.errors import ConstraintError
 from solver.linear.constraints import Constraints
-from solver.linear.rest_surface import RestShape
+from solver.linear.rest_surface import RestSurface
 from solver.linear.system import System
 from solver.types import FloatArray, IntArray
 
@@ -39,7 +39,7 @@ class Moments:
 
 
 @dataclass(frozen=True)
-class SoftHandle:
+class Grab:
     """One grab: the weighted best affine fit of a region is asked to equal T.
 
     weights: (n,) as given.
@@ -54,9 +54,9 @@ class SoftHandle:
     carried: IntArray
 
 
-def grab_region(
-    shape: RestShape, constraints: Constraints, system: System, weights: ArrayLike, lever: float
-) -> SoftHandle:
+def make_grab(
+    shape: RestSurface, constraints: Constraints, system: System, weights: ArrayLike, lever: float
+) -> Grab:
     """A soft handle on the vertices where `weights` (n,) is positive: four back-substitutions.
 
     Weights on held vertices have no effect: those move with their handle. In directions in which
@@ -76,10 +76,10 @@ def grab_region(
     moments = _moments(shape, w, lever)[system.free]
     if not moments.any() and len(carried) == 0:
         raise ConstraintError("grab weights select no vertex that is free to move")
-    return SoftHandle(w, moments, system.factor.solve(moments), carried)
+    return Grab(w, moments, system.factor.solve(moments), carried)
 
 
-def _moments(shape: RestShape, weights: FloatArray, lever: float) -> FloatArray:
+def _moments(shape: RestSurface, weights: FloatArray, lever: float) -> FloatArray:
     """C = diag(omega) J, with the frames' rows only where positions determine nothing."""
     n = len(weights)
     J = shape.affine_rows

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from solver.linear.constraints import Constraints
-from solver.linear.grab import Moments, SoftHandle
-from solver.linear.rest_surface import RestShape
+from solver.linear.grab import Grab, Moments
+from solver.linear.rest_surface import RestSurface
 from solver.linear.system import System
 from solver.types import FloatArray, IntArray
 
@@ -27,7 +27,7 @@ class Response:
     form: FloatArray
 
 
-def hard_response(shape: RestShape, constraints: Constraints, system: System) -> Response:
+def hard_response(shape: RestSurface, constraints: Constraints, system: System) -> Response:
     """Basis and form of the hard handles: four back-substitutions for each."""
     J = shape.affine_rows
     count = len(constraints.handles)
@@ -41,7 +41,7 @@ def hard_response(shape: RestShape, constraints: Constraints, system: System) ->
 
 
 def soften(
-    hard: Response, grabs: Sequence[SoftHandle], moments: Moments, shape: RestShape, free: IntArray
+    hard: Response, grabs: Sequence[Grab], moments: Moments, shape: RestSurface, free: IntArray
 ) -> Response:
     """The response with soft handles after the hard ones.
 

@@ -14,7 +14,7 @@ from solver.linear.energy import RestEnergy
 from solver.types import FloatArray, IntArray
 
 
-class RestShape:
+class RestSurface:
     """Positions in units of the bounding box's diagonal about its centre, and connectivity.
 
     In these units positions and frames have one magnitude, and nothing depends on the scale or

@@ -7,30 +7,30 @@ import scipy.sparse as sp
 
 from solver.factor import Analysis, Factor, analyse
 from solver.geometry.cotangent_weights import ElementWeights
-from solver.linear.assembly import Stencil, symmetric
+from solver.linear.assembly import Pattern, symmetric
 from solver.linear.constraints import FIXED, Constraints
-from solver.linear.rest_surface import RestShape
+from solver.linear.rest_surface import RestSurface
 from solver.types import BoolArray, FloatArray, IntArray
 
 
-class Layout:
+class Structure:
     """Where the entries of K stand for one set of constraints, and the analysis of its free part.
 
     It knows nothing of the material, so that all binds with the same constraints share it.
     """
 
-    def __init__(self, shape: RestShape, constraints: Constraints) -> None:
+    def __init__(self, shape: RestSurface, constraints: Constraints) -> None:
         self.size = shape.row_count
         self.free = constraints.free
         strained = _strained(shape, constraints)
         self.active = np.flatnonzero(strained)
-        self.stencil = Stencil(shape.topology, strained)
+        self.pattern = Pattern(shape.topology, strained)
         number = np.full(self.size, -1)
         number[self.free] = np.arange(len(self.free))
-        rows, columns = number[self.stencil.rows], number[self.stencil.columns]
+        rows, columns = number[self.pattern.rows], number[self.pattern.columns]
         self.inner = np.flatnonzero((rows >= 0) & (columns >= 0))
         moved = constraints.row_group > FIXED
-        self.outer = np.flatnonzero(moved[self.stencil.rows] | moved[self.stencil.columns])
+        self.outer = np.flatnonzero(moved[self.pattern.rows] | moved[self.pattern.columns])
         order = shape.elimination_order
         if order is not None:
             order = number[order]
@@ -48,15 +48,15 @@ class System:
     counts as zero.
     """
 
-    def __init__(self, shape: RestShape, layout: Layout, weights: ElementWeights) -> None:
-        self._layout = layout
-        self._values = layout.stencil.values(shape.energy, weights)
-        self.free = layout.free
-        self.active = layout.active
-        self.factor: Factor = layout.analysis.factor(self._values[layout.inner])
+    def __init__(self, shape: RestSurface, structure: Structure, weights: ElementWeights) -> None:
+        self._structure = structure
+        self._values = structure.pattern.values(shape.energy, weights)
+        self.free = structure.free
+        self.active = structure.active
+        self.factor: Factor = structure.analysis.factor(self._values[structure.inner])
         self.stiffness = float(np.abs(self._values).max(initial=0.0))
         #: The entries of K that have a handle's row or column.
-        self.coupling = self._matrix(layout.outer)
+        self.coupling = self._matrix(structure.outer)
 
     def respond(self, U: FloatArray) -> FloatArray:
         """U (n + 3m, k), zero but on handles, with its free rows where they minimise the energy."""
@@ -69,12 +69,12 @@ class System:
         return self._matrix(slice(None))
 
     def _matrix(self, which: IntArray | slice) -> sp.csr_array:
-        stencil, size = self._layout.stencil, self._layout.size
-        rows, columns = stencil.rows[which], stencil.columns[which]
+        pattern, size = self._structure.pattern, self._structure.size
+        rows, columns = pattern.rows[which], pattern.columns[which]
         return symmetric(rows, columns, self._values[which], (size, size))
 
 
-def _strained(shape: RestShape, constraints: Constraints) -> BoolArray:
+def _strained(shape: RestSurface, constraints: Constraints) -> BoolArray:
     """(m,) the triangles that can be strained: not those moving as one with all around them."""
     group = constraints.row_group
     n = len(shape.vertices)

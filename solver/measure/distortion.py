@@ -13,10 +13,10 @@ from solver.types import BoolArray, FloatArray, IntArray
 
 
 @dataclass(frozen=True, eq=False)
-class Change:
+class DistortionField:
     """One measure of a deformed surface.
 
-    elements: one value for each edge, inner edge or triangle, in the order of `ShapeChange`.
+    elements: one value for each edge, inner edge or triangle, in the order of `Distortion`.
     vertices: (n,) the same gathered at the vertices, to colour them by.
     rms: root of the mean square over the elements that have a counted vertex, 0 without any.
     """
@@ -26,7 +26,7 @@ class Change:
     rms: float
 
 
-class ShapeChange:
+class Distortion:
     """Measures of a surface X (n, 3) against the rest shape V, all 0 for a rigid motion of it.
 
     edges: (e, 2) that `strain` measures.  hinges: (p, 2) the ends of the edges with exactly two
@@ -51,7 +51,7 @@ class ShapeChange:
         self._edge_stars = _Stars(self.edges, len(V))
         self._hinge_stars = _Stars(self.hinges, len(V))
 
-    def strain(self, X: FloatArray, counted: BoolArray | None = None) -> Change:
+    def strain(self, X: FloatArray, counted: BoolArray | None = None) -> DistortionField:
         """l' / l - 1 of each edge; at a vertex that of the edge which has changed most.
 
         counted: (n,) the vertices whose elements make the rms, None for all.
@@ -59,19 +59,21 @@ class ShapeChange:
         relative = _relative(_lengths(X, self.edges), self._lengths)
         most, least = (self._edge_stars.reduce(f, relative) for f in (np.maximum, np.minimum))
         vertices = np.where(most >= -least, most, least)
-        return Change(relative, vertices, _rms(relative, self.edges, counted))
+        return DistortionField(relative, vertices, _rms(relative, self.edges, counted))
 
-    def dihedral(self, X: FloatArray, counted: BoolArray | None = None) -> Change:
+    def dihedral(self, X: FloatArray, counted: BoolArray | None = None) -> DistortionField:
         """|theta' - theta| in [0, pi] of each hinge; at a vertex the largest around it."""
         turn = np.abs(self._dihedral_angles(X) - self._angles)
         turn = np.minimum(turn, 2 * np.pi - turn)
         vertices = self._hinge_stars.reduce(np.maximum, turn)
-        return Change(turn, vertices, _rms(turn, self.hinges, counted))
+        return DistortionField(turn, vertices, _rms(turn, self.hinges, counted))
 
-    def area(self, X: FloatArray, counted: BoolArray | None = None) -> Change:
+    def area(self, X: FloatArray, counted: BoolArray | None = None) -> DistortionField:
         """A' / A - 1 of each triangle; at a vertex the same of its triangles together."""
         relative = _relative(self._face_normals(X)[1], self._areas)
-        return Change(relative, self._area_mean @ relative, _rms(relative, self._faces, counted))
+        return DistortionField(
+            relative, self._area_mean @ relative, _rms(relative, self._faces, counted)
+        )
 
     def _face_normals(self, X: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Unit normals (m, 3), zero where there is no area, and areas (m,)."""

@@ -18,7 +18,7 @@ def inner(a: FloatArray, b: FloatArray) -> float:
     return float(np.einsum("ij,ij->", a, b))
 
 
-class Curvature:
+class LBFGS:
     """Limited-memory BFGS on top of a fixed estimate of the inverse Hessian. [Nocedal 1980]"""
 
     def __init__(self, inverse: Callable[[FloatArray], FloatArray]) -> None:

@@ -12,11 +12,11 @@ import numpy as np
 from solver.factor import factorize
 from solver.geometry.rotations import nearest_rotations, turned
 from solver.linear.constraints import Constraints
-from solver.linear.grab import Moments, SoftHandle
-from solver.linear.rest_surface import RestShape
+from solver.linear.grab import Grab, Moments
+from solver.linear.rest_surface import RestSurface
 from solver.linear.system import System
-from solver.rigid.lbfgs import Curvature, inner
-from solver.rigid.smooth_rotations import ROTATION_LENGTH, Shell
+from solver.rigid.lbfgs import LBFGS, inner
+from solver.rigid.smooth_rotations import ROTATION_LENGTH, SmoothRotationEnergy
 from solver.types import FloatArray
 
 # No triangle turns by more than this in one round, in radians: small turns model the energy.
@@ -50,10 +50,10 @@ class Rigidity:
 
     def __init__(
         self,
-        shape: RestShape,
+        shape: RestSurface,
         constraints: Constraints,
         system: System,
-        grabs: Sequence[SoftHandle],
+        grabs: Sequence[Grab],
         bending_length: float,
         rotation_length: float = ROTATION_LENGTH,
     ) -> None:
@@ -78,8 +78,8 @@ class Rigidity:
         self._moments = Moments(C, self._factor.solve(C))
 
     @cached_property
-    def _shell(self) -> Shell:
-        return Shell(self._K, self._n, self._turning, self._ratio)
+    def _shell(self) -> SmoothRotationEnergy:
+        return SmoothRotationEnergy(self._K, self._n, self._turning, self._ratio)
 
     def refine(self, U: FloatArray, rounds: int, others: Sequence[FloatArray] = ()) -> FloatArray:
         """Rows U (n + 3m, 3) of the linear result become positions (n, 3).
@@ -105,18 +105,18 @@ class Rigidity:
         return last
 
     def descend(self, X: FloatArray, R: FloatArray, moments: FloatArray) -> Iterator[State]:
-        """States of lower and lower energy (see Shell), the first of them as given.
+        """States of lower and lower energy (see SmoothRotationEnergy), the first of them as given.
 
         Each round turns all triangles by one step downhill, and positions follow. They end where
         nothing is left to gain.
         """
-        curvature = Curvature(self._shell.hessian.solve)
+        curvature = LBFGS(self._shell.hessian.solve)
         state: State | None = self._state(X, R)
         while state is not None:
             yield state
             state = self._round(state, curvature, moments)
 
-    def _round(self, state: State, curvature: Curvature, moments: FloatArray) -> State | None:
+    def _round(self, state: State, curvature: LBFGS, moments: FloatArray) -> State | None:
         """The state after one step downhill, None where there is none worth taking."""
         direction = curvature.direction(state.gradient)
         promise = -inner(direction, state.gradient)

@@ -19,7 +19,7 @@ ROTATION_LENGTH = 0.075
 REMAINING = 0.5
 
 
-class Shell:
+class SmoothRotationEnergy:
     """The energy K stands for, with rotations for frames and l_r for the bending length:
 
         E(X, R) = 1/2 sum w_eT  sigma_e ||x_b - x_a - R_T (p_b - p_a)||^2

@@ -14,7 +14,7 @@ from solver.geometry.cotangent_weights import (
     half_edge_cotangents,
     typical_edge,
 )
-from solver.linear.rest_surface import RestShape
+from solver.linear.rest_surface import RestSurface
 from tests.solver import shapes
 
 # The coarsest has four edges from the middle of the soft band to its rim.
@@ -67,7 +67,7 @@ def test_the_files_scale_does_not_matter(scale: float) -> None:
 
 def test_a_length_below_an_edge_is_taken_for_an_edge() -> None:
     one = limb("tube", "right", *SIZES[0])
-    shape = RestShape(one.V, one.F)
+    shape = RestSurface(one.V, one.F)
     edge = typical_edge(np.linalg.norm(shape.energy.vectors, axis=2))
     T = [shapes.motion(shapes.rotation([0, 0, 1], 60))]
     shorter, shortest, equal, longer = (
@@ -94,7 +94,7 @@ def test_a_few_large_triangles_do_not_change_a_typical_edge() -> None:
 
 
 def pair_weights(one: Limb) -> np.ndarray:
-    shape = RestShape(one.V, one.F)
+    shape = RestSurface(one.V, one.F)
     pairs = shape.topology.pairs
     cotangents = half_edge_cotangents(np.linalg.norm(shape.energy.vectors, axis=2))
     return bending_weights(

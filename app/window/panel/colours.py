@@ -7,7 +7,7 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.workspace.colors import MAPS, Scale
+from app.workspace.color_maps import MAPS, Scale
 
 BAR_WIDTH, BAR_STEPS = 84.0, 42
 

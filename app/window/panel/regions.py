@@ -7,7 +7,7 @@ import polyscope.imgui as psim
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.window.panel.widgets import BUTTON_COLUMN, REST_OF_LINE, disabled, swatch
-from app.workspace.colors import ACTIVE_COLOR, FIXED_COLOR, OTHER_COLOR, SOFT_COLOR
+from app.workspace.color_maps import ACTIVE_COLOR, FIXED_COLOR, OTHER_COLOR, SOFT_COLOR
 from solver.types import FloatArray
 
 

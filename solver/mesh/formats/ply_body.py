@@ -17,7 +17,7 @@ from solver.types import FloatArray, IntArray
 Lists = tuple[IntArray, IntArray]
 
 
-class Layout(NamedTuple):
+class Rows(NamedTuple):
     """Where each property of each row starts, in bytes, and its length: (rows, properties) both."""
 
     starts: IntArray
@@ -128,20 +128,20 @@ class BinaryBody(Body):
     def skip(self, element: Element) -> None:
         self._take(element)
 
-    def _take(self, element: Element) -> Layout:
+    def _take(self, element: Element) -> Rows:
         if not (element.count and element.properties):
             empty = np.zeros((0, len(element.properties)), dtype=np.int64)
-            return Layout(empty, empty)
+            return Rows(empty, empty)
         return self._equal_rows(element) or self._walk(element)
 
-    def _equal_rows(self, element: Element) -> Layout | None:
+    def _equal_rows(self, element: Element) -> Rows | None:
         """The layout where every row has the lengths of the first, else None."""
         starts, lengths, end = self._row(element, self._at)
         stride = end - self._at
         if self._at + element.count * stride > len(self._data):
             return None
         rows = np.arange(element.count, dtype=np.int64)[:, None]
-        layout = Layout(
+        layout = Rows(
             np.array(starts) + stride * rows, np.tile(lengths, (element.count, 1)).astype(np.int64)
         )
         for k, entry in enumerate(element.properties):
@@ -152,14 +152,14 @@ class BinaryBody(Body):
         self._at += element.count * stride
         return layout
 
-    def _walk(self, element: Element) -> Layout:
+    def _walk(self, element: Element) -> Rows:
         """The layout of rows of different lengths, found row by row."""
         starts, lengths = [], []
         for _ in range(element.count):
             row_starts, row_lengths, self._at = self._row(element, self._at)
             starts.append(row_starts)
             lengths.append(row_lengths)
-        return Layout(np.array(starts, dtype=np.int64), np.array(lengths, dtype=np.int64))
+        return Rows(np.array(starts, dtype=np.int64), np.array(lengths, dtype=np.int64))
 
     def _row(self, element: Element, at: int) -> tuple[list[int], list[int], int]:
         """Starts and lengths of the properties of the row at byte `at`, and where it ends."""

@@ -10,8 +10,8 @@ import pytest
 
 from app.editor import commands as c
 from app.editor.file_actions import load_document, open_command
-from app.worker.bench import bind
 from app.worker.requests import BindRequest
+from app.worker.service import bind
 from solver import load_mesh
 from tests.app.person import Person, slab, state
 

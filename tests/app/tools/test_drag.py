@@ -16,10 +16,10 @@ from app.editor.commands import (
     Undo,
 )
 from app.model.document import FIRST_HANDLE, FIXED, FREE
-from app.worker.bench import bind
 from app.worker.client import Worker
 from app.worker.inline import InlineWorker
 from app.worker.requests import BindRequest, Refined, RefineRequest, Request, Result
+from app.worker.service import bind
 from app.workspace import pose
 from solver.linear.drag_model import DragModel
 from solver.types import FloatArray

@@ -17,7 +17,6 @@ import pytest
 
 from app.model.document import Document
 from app.worker import client, process
-from app.worker.bench import Bench, bind
 from app.worker.client import ProcessWorker, Worker
 from app.worker.inline import InlineWorker
 from app.worker.requests import (
@@ -30,6 +29,7 @@ from app.worker.requests import (
     Result,
     WorkerError,
 )
+from app.worker.service import SolverService, bind
 from solver import MaterialError
 from solver.types import FloatArray
 from tests.app.person import Person, slab
@@ -331,14 +331,14 @@ def test_a_failure_arrives_typed_and_leaves_the_last_bind_in_use(kind: str) -> N
 def test_any_other_error_arrives_as_one_of_the_worker(capfd: pytest.CaptureFixture[str]) -> None:
     request = BindRequest.of(document())
     object.__setattr__(request, "handles", None)
-    answer = Bench().answer(request)
+    answer = SolverService().answer(request)
     assert isinstance(answer.value, WorkerError)
     assert "TypeError" in str(answer.value)
     assert "Traceback" in capfd.readouterr().err
 
 
 def test_a_refinement_needs_its_bind() -> None:
-    bench, request = Bench(), BindRequest.of(document())
+    bench, request = SolverService(), BindRequest.of(document())
     assert isinstance(bench.answer(refinement(request)).value, WorkerError)
     bench.answer(request)
     assert not isinstance(bench.answer(refinement(request)).value, WorkerError)

@@ -4,7 +4,7 @@ import numpy as np
 
 from app.editor import commands as c
 from app.model.document import FIRST_HANDLE, FIXED, FREE
-from app.workspace.colors import viridis
+from app.workspace.color_maps import viridis
 from tests.app.person import Person
 
 

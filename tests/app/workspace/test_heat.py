@@ -8,7 +8,7 @@ import pytest
 from app.editor import commands as c
 from app.model.document import FREE
 from app.workspace import heat
-from app.workspace.colors import MAPS, diverging, rising
+from app.workspace.color_maps import MAPS, diverging, rising
 from tests.app.person import Person
 
 HEAT = [name for name, shown in MAPS.items() if shown.measure]

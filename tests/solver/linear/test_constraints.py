@@ -9,7 +9,7 @@ import pytest
 
 from solver import ConstraintError, Deformer
 from solver.linear.constraints import FIXED, FREE, Constraints, build_constraints
-from solver.linear.rest_surface import RestShape
+from solver.linear.rest_surface import RestSurface
 from tests.solver import shapes
 
 
@@ -17,7 +17,7 @@ def build(
     surface: shapes.Surface, fixed: Any, handles: Any, orientation: bool = True
 ) -> tuple[Constraints, np.ndarray]:
     """The constraints, and the group that holds each triangle's frame."""
-    shape = RestShape(*surface)
+    shape = RestSurface(*surface)
     constraints = build_constraints(shape, fixed, handles, orientation)
     rows = constraints.row_group[len(shape.vertices) :].reshape(-1, 3)
     assert (rows == rows[:, :1]).all()

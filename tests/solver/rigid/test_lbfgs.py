@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from solver.geometry.rotations import torques, turned
-from solver.rigid.lbfgs import Curvature
+from solver.rigid.lbfgs import LBFGS
 from solver.types import FloatArray
 from tests.solver.shapes import rotation
 
@@ -32,7 +32,7 @@ def test_torques_are_the_slope_of_a_turn() -> None:
 
 
 def test_the_direction_leads_downhill_whatever_was_learnt() -> None:
-    curvature = Curvature(lambda gradient: gradient)
+    curvature = LBFGS(lambda gradient: gradient)
     for _ in range(20):
         gradient = rng.normal(size=(10, 3))
         assert np.sum(curvature.direction(gradient) * gradient) < 0
@@ -47,7 +47,7 @@ def test_descent_on_a_quadratic_ends_in_its_minimum() -> None:
     def gradient(x: FloatArray) -> FloatArray:
         return np.asarray((H @ (x - lowest).ravel()).reshape(10, 3))
 
-    curvature = Curvature(lambda g: g / np.trace(H))
+    curvature = LBFGS(lambda g: g / np.trace(H))
     x = np.zeros((10, 3))
     for _ in range(300):
         g = gradient(x)

@@ -13,7 +13,7 @@ from solver import Deformer
 from solver.geometry.rotations import nearest_rotations
 from solver.linear.assembly import deformation_matrix
 from solver.linear.binding import Binding, Options, bind
-from solver.linear.rest_surface import RestShape
+from solver.linear.rest_surface import RestSurface
 from solver.rigid.half_way import half_way
 from solver.rigid.levels import Rigidity, State
 from solver.rigid.smooth_rotations import ROTATION_LENGTH
@@ -68,7 +68,7 @@ def test_the_first_level_is_nearest_rotations_and_their_positions(handle: list[i
 
 def descent(handle: list[int], rounds: int, degrees: float = 80) -> list[State]:
     """The states of some rounds, in diagonals; triangles that nothing strains are at rest."""
-    shape = RestShape(V, F)
+    shape = RestSurface(V, F)
     deformer = Deformer(V, F, FIXED, [handle])
     binding = bind(shape, Options(fixed=FIXED, handles=[handle]))
     system = binding.system
@@ -91,7 +91,7 @@ def none() -> FloatArray:
 
 def shell_energy(X: FloatArray, R: FloatArray) -> float:
     """X in diagonals, R as rows of its transpose."""
-    shape = RestShape(V, F)
+    shape = RestSurface(V, F)
     ones = np.ones(len(shape.topology.edges))
     K = deformation_matrix(shape.points, shape.topology, ROTATION_LENGTH, (ones, ones))
     U = np.vstack([X, R.reshape(-1, 3)])
@@ -257,8 +257,8 @@ def test_of_all_starts_the_lowest_end_counts(degrees: float, rigid: int) -> None
 
 def parts(
     P: FloatArray, faces: IntArray, fixed: IntArray, tip: IntArray
-) -> tuple[RestShape, Binding, Rigidity]:
-    shape = RestShape(P, faces)
+) -> tuple[RestSurface, Binding, Rigidity]:
+    shape = RestSurface(P, faces)
     binding = bind(shape, Options(fixed=fixed, handles=[tip]))
     length = binding.options.bending_length
     return shape, binding, Rigidity(shape, binding.constraints, binding.system, (), length)

@@ -47,7 +47,7 @@ def _same(one: Any, two: Any) -> bool:
     return bool(np.array_equal(one, two)) if isinstance(one, np.ndarray) else bool(one == two)
 
 
-class Bench:
+class SolverService:
     """Meets one request after the other. A bind that fails leaves the last one in use."""
 
     def __init__(self) -> None:

@@ -16,7 +16,7 @@ from solver.types import IntArray
 
 
 @dataclass(frozen=True)
-class MeshReport:
+class MeshStatistics:
     """Counts over one mesh; nothing counted here is an error.
 
     `polygon_sizes` is corners -> how many faces. A component is a set of triangles joined by
@@ -44,7 +44,7 @@ class MeshReport:
     groups: int
 
 
-def report(mesh: Mesh) -> MeshReport:
+def mesh_statistics(mesh: Mesh) -> MeshStatistics:
     """Count everything worth knowing about a mesh before it is deformed."""
     V, F = mesh.vertices, mesh.faces
     edges, counts = _edges(F)
@@ -52,7 +52,7 @@ def report(mesh: Mesh) -> MeshReport:
     lower, upper = V.min(axis=0), V.max(axis=0)
     sizes, numbers = np.unique(mesh.outlines.sizes, return_counts=True)
     lines = Counter(keywords(obj_lines(mesh.source.data)) if mesh.source else [])
-    return MeshReport(
+    return MeshStatistics(
         vertices=len(V),
         triangles=len(F),
         polygon_sizes=dict(zip(sizes.tolist(), numbers.tolist(), strict=True)),
