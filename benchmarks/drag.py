@@ -54,7 +54,7 @@ def measure(scene: Scene) -> dict[str, float]:
     grabbed, target = scene.target
     start = [np.eye(4)]
     T = deformer.orient(0, grabbed, target, start)
-    factor, free = deformer._system.factor, len(deformer._system.free)
+    factor, free = deformer.system.factor, len(deformer.system.free)
     columns = np.random.default_rng(0).normal(size=(free, 3))
 
     def drag() -> FloatArray:

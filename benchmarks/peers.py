@@ -45,7 +45,7 @@ def harmonic(V: FloatArray, F: IntArray, held: IntArray, goal: FloatArray) -> di
 
 def paper(deformer: Deformer) -> dict[str, Task]:
     """The paper's way: assembled once, the sparse system is solved anew for every drag."""
-    system = deformer._system
+    system = deformer.system
     A = system.matrix()[system.free][:, system.free].tocsc()
     B = np.random.default_rng(0).normal(size=(len(system.free), 3))
     return {PAPER: Task(lambda: spsolve(A, B))}

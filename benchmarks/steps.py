@@ -59,7 +59,7 @@ class Session:
         self._softness = cycle([figure.softness(0.1), figure.softness(0.15)])
         self.bind()
         self.T = self.orient()
-        size = len(self.deformer._system.free), 3
+        size = len(self.deformer.system.free), 3
         self._columns = np.random.default_rng(0).normal(size=size)
 
     def drop(self) -> None:
@@ -78,7 +78,7 @@ class Session:
         _ready(self.deformer.grab(self._brush))
 
     def solve(self) -> None:
-        self.deformer._system.factor.solve(self._columns)
+        self.deformer.system.factor.solve(self._columns)
 
     def orient(self) -> FloatArray:
         return self.deformer.orient(0, self._grabbed, self._dragged, [np.eye(4)])
@@ -118,7 +118,7 @@ def measure(figure: Figure) -> Result:
     memory = {START: peak_memory()}
     session = Session(figure)
     memory[ONE] = peak_memory()
-    free = len(session.deformer._system.free)
+    free = len(session.deformer.system.free)
     peer_tasks = _peers(session.deformer, figure)
     medians(session.tasks(), 1)
     memory[ALL] = peak_memory()  # before the peers have taken theirs

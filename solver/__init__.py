@@ -16,6 +16,7 @@ from solver.errors import (
 from solver.geometry.fundamental_forms import FundamentalForms, fundamental_forms
 from solver.geometry.reconstruction import reconstruct
 from solver.mesh.mesh import Mesh, load_mesh
+from solver.setup import Setup
 from solver.softness.harmonic import interpolate_softness
 from solver.softness.material import PRESETS, Material
 
@@ -30,6 +31,7 @@ __all__ = [
     "MaterialError",
     "Mesh",
     "MeshError",
+    "Setup",
     "SolverError",
     "fundamental_forms",
     "interpolate_softness",

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from typing import TypeVar
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.errors import ConstraintError, MeshError, SolverError
 from solver.types import FloatArray, IntArray
+
+Array = TypeVar("Array", FloatArray, IntArray)
 
 
 def as_vertices(V: ArrayLike) -> FloatArray:
@@ -30,11 +34,8 @@ def as_faces(F: ArrayLike, vertex_count: int) -> IntArray:
     return F.astype(np.int64)
 
 
-def as_indices(indices: ArrayLike, vertex_count: int, what: str) -> IntArray:
-    """Vertex indices as (k,) int64 below `vertex_count`; otherwise ConstraintError naming `what`.
-
-    An empty list of any type is fine.
-    """
+def as_integers(indices: ArrayLike, what: str) -> IntArray:
+    """A copy as (k,) int64, an empty list of any type included; ConstraintError naming `what`."""
     array = _as_array(indices, what, ConstraintError)
     if array.size == 0:
         return np.empty(0, dtype=np.int64)
@@ -42,12 +43,18 @@ def as_indices(indices: ArrayLike, vertex_count: int, what: str) -> IntArray:
         raise ConstraintError(
             f"{what} must be a list of vertex indices, got {array.dtype} of shape {array.shape}"
         )
+    return array.astype(np.int64)
+
+
+def as_indices(indices: ArrayLike, vertex_count: int, what: str) -> IntArray:
+    """Vertex indices as (k,) int64 below `vertex_count`; ConstraintError naming `what`."""
+    array = as_integers(indices, what)
     outside = (array < 0) | (array >= vertex_count)
     if outside.any():
         raise ConstraintError(
             f"{what} names vertex {int(array[outside][0])}, expected 0 to {vertex_count - 1}"
         )
-    return array.astype(np.int64)
+    return array
 
 
 def as_floats(values: ArrayLike, what: str, error: type[SolverError]) -> FloatArray:
@@ -68,6 +75,12 @@ def check_unit_interval(values: FloatArray, what: str, error: type[SolverError])
     if outside.any():
         at = int(np.flatnonzero(outside)[0])
         raise error(f"{what} must lie in [0, 1], got {values[at]} at index {at}")
+
+
+def locked(array: Array) -> Array:
+    """The array itself, read-only. It must be the caller's own."""
+    array.setflags(write=False)
+    return array
 
 
 def _as_array(values: ArrayLike, what: str, error: type[SolverError]) -> np.ndarray:

@@ -21,14 +21,15 @@ class Pattern:
 
     rows, columns: (z,) places in K (n + 3m, n + 3m), rows >= columns. A place occurs twice only
     where a triangle repeats a vertex or two triangles share two edges; values there add up.
+    links: (q,) which of the topology's links join two of these triangles.
     """
 
     def __init__(self, topology: Topology, active: BoolArray) -> None:
         """active: (m,) the triangles that count. A link counts where both of its triangles do."""
         n = topology.vertex_count
         self._faces = faces = np.flatnonzero(active)
-        self._links = np.flatnonzero(active[topology.links].all(axis=1))
-        links = topology.links[self._links]
+        self.links = np.flatnonzero(active[topology.links].all(axis=1))
+        links = topology.links[self.links]
         self._corners = topology.faces[faces]
         self._face_count = len(topology.faces)
         self._link_ends = links
@@ -64,7 +65,7 @@ class Pattern:
     def values(self, energy: RestEnergy, weights: ElementWeights) -> FloatArray:
         """(z,) the entries at `rows`, `columns`."""
         d, w = energy.vectors[self._faces], weights.stretching[self._faces]
-        bending = weights.bending[self._links]
+        bending = weights.bending[self.links]
         edge = np.bincount(self._half_edge_edge, w.ravel())[self._edges]
         degree = np.bincount(self._ends.ravel(), np.repeat(edge, 2))
         wd = w[:, :, None] * d

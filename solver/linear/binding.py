@@ -1,80 +1,54 @@
-"""Everything between a mesh with its constraints and a surface that can be dragged."""
+"""Everything between a surface with its constraints and a surface that can be dragged."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import ArrayLike
-
-from solver.errors import MaterialError
 from solver.linear.constraints import Constraints, build_constraints
+from solver.linear.energy import Gains
 from solver.linear.response import Response, hard_response
 from solver.linear.rest_surface import RestSurface
 from solver.linear.system import Structure, System
-from solver.softness.material import EdgeGains, Material, explicit_gains, softness_gains
-
-
-@dataclass(frozen=True)
-class Options:
-    """What a Deformer is built from besides the mesh; see there."""
-
-    fixed: ArrayLike = ()
-    handles: Sequence[ArrayLike] = ()
-    softness: ArrayLike | None = None
-    material: str | Material = "hinge"
-    bending_length: float = 0.01
-    orientation: bool = True
-    edge_gains: EdgeGains | None = None
-
-    def __post_init__(self) -> None:
-        if self.softness is not None and self.edge_gains is not None:
-            raise MaterialError("give softness or edge_gains, got both")
-        length = self.bending_length
-        numeric = isinstance(length, int | float | np.number) and not isinstance(length, bool)
-        if not (numeric and np.isfinite(length) and length > 0):
-            raise MaterialError(f"bending_length must be a positive number, got {length!r}")
+from solver.setup import Setup
+from solver.softness.material import explicit_gains, softness_gains
 
 
 @dataclass(frozen=True)
 class Binding:
     """One factorisation and what hangs on it.
 
-    options: with the bending length that the mesh resolves, see RestEnergy.resolved.
+    bending_length: as the mesh resolves it, see RestEnergy.resolved.
     """
 
-    shape: RestSurface
-    options: Options
+    rest: RestSurface
+    setup: Setup
+    bending_length: float
     constraints: Constraints
     structure: Structure
     system: System
     hard: Response
 
 
-def bind(shape: RestSurface, options: Options, earlier: Binding | None = None) -> Binding:
+def bind(rest: RestSurface, setup: Setup, earlier: Binding | None = None) -> Binding:
     """Assemble, factorise and find the basis. Raises ConstraintError or MaterialError.
 
-    earlier: a binding of the same shape; what has not changed since then is shared.
+    earlier: a binding of the same rest surface; what has not changed since then is shared.
     """
-    topology = shape.topology
-    options = replace(options, bending_length=shape.energy.resolved(options.bending_length))
-    if options.edge_gains is not None:
-        gains = explicit_gains(topology, options.edge_gains)
-    else:
-        gains = softness_gains(topology, options.softness, options.material)
-    if earlier is not None and _same_constraints(options, earlier.options):
+    if earlier is not None and setup == earlier.setup:
+        return earlier
+    length = rest.energy.resolved(setup.bending_length)
+    gains = _gains(rest, setup)
+    if earlier is not None and setup.holds_as(earlier.setup):
         constraints, structure = earlier.constraints, earlier.structure
     else:
-        constraints = build_constraints(shape, options.fixed, options.handles, options.orientation)
-        structure = Structure(shape, constraints)
-    weights = shape.energy.weights(options.bending_length, gains)
-    system = System(shape, structure, weights)
-    hard = hard_response(shape, constraints, system)
-    return Binding(shape, options, constraints, structure, system, hard)
+        constraints = build_constraints(rest, setup.fixed, setup.handles, setup.orientation)
+        structure = Structure(rest, constraints)
+    system = System(rest, structure, rest.energy.weights(length, gains))
+    hard = hard_response(rest, constraints, system)
+    return Binding(rest, setup, length, constraints, structure, system, hard)
 
 
-def _same_constraints(one: Options, two: Options) -> bool:
-    return (
-        one.fixed is two.fixed and one.handles is two.handles and one.orientation == two.orientation
-    )
+def _gains(rest: RestSurface, setup: Setup) -> Gains:
+    if setup.edge_gains is not None:
+        return explicit_gains(rest.topology, setup.edge_gains)
+    return softness_gains(rest.topology, setup.softness, setup.material)

@@ -36,25 +36,25 @@ class Constraints:
 
 
 def build_constraints(
-    shape: RestSurface, fixed: ArrayLike, handles: Sequence[ArrayLike], orientation: bool
+    rest: RestSurface, fixed: ArrayLike, handles: Sequence[ArrayLike], orientation: bool
 ) -> Constraints:
     """Vertices of `fixed` and `handles` are held; so are their triangles' frames if `orientation`.
 
     Raises ConstraintError for an index out of range, an empty handle, or a vertex with two roles.
     """
-    n = len(shape.vertices)
+    n = len(rest.vertices)
     named = tuple(as_indices(h, n, f"handle {i}") for i, h in enumerate(handles))
     group = np.full(n, FREE, dtype=np.int64)
     group[as_indices(fixed, n, "fixed")] = FIXED
     for number, vertices in enumerate(named):
         _claim(group, vertices, number)
-    component = shape.topology.vertex_component
+    component = rest.topology.vertex_component
     held = np.zeros(component.max() + 1, dtype=bool)
     held[component[group != FREE]] = True
-    oriented = group != FREE if orientation else _underdetermined(shape, group)
-    face_group = _face_groups(shape, group, oriented)
-    row_group = shape.rows(group, face_group)
-    free = np.flatnonzero((row_group == FREE) & held[shape.row_component])
+    oriented = group != FREE if orientation else _underdetermined(rest, group)
+    face_group = _face_groups(rest, group, oriented)
+    row_group = rest.rows(group, face_group)
+    free = np.flatnonzero((row_group == FREE) & held[rest.row_component])
     return Constraints(named, row_group, free, held)
 
 
@@ -71,23 +71,23 @@ def _claim(group: IntArray, vertices: IntArray, number: int) -> None:
     group[vertices] = 1 + number
 
 
-def _pieces(shape: RestSurface, group: IntArray) -> IntArray:
+def _pieces(rest: RestSurface, group: IntArray) -> IntArray:
     """(n,) a number for each group in each component."""
-    return np.asarray(shape.topology.vertex_component * (group.max() + 2) + group - FREE)
+    return np.asarray(rest.topology.vertex_component * (group.max() + 2) + group - FREE)
 
 
-def _face_groups(shape: RestSurface, group: IntArray, oriented: BoolArray) -> IntArray:
+def _face_groups(rest: RestSurface, group: IntArray, oriented: BoolArray) -> IntArray:
     """(m,) the group that holds each triangle's frame.
 
     A group holds the triangles whose corners all belong to it. Where it has none in some
     component (a single vertex, a line) it holds the triangles around: a seed vertex with its frame.
     oriented: (n,) the held vertices whose group holds frames at all.
     """
-    faces = shape.faces
+    faces = rest.faces
     corners = group[faces]
     whole = (corners == corners[:, :1]).all(axis=1) & oriented[faces[:, 0]]
     face_group = np.where(whole, corners[:, 0], FREE)
-    piece = _pieces(shape, group)
+    piece = _pieces(rest, group)
     lacking = oriented & ~np.isin(piece, piece[faces[whole, 0]])
     for vertex in faces.T:
         around = (face_group == FREE) & lacking[vertex]
@@ -95,15 +95,15 @@ def _face_groups(shape: RestSurface, group: IntArray, oriented: BoolArray) -> In
     return face_group
 
 
-def _underdetermined(shape: RestSurface, group: IntArray) -> BoolArray:
+def _underdetermined(rest: RestSurface, group: IntArray) -> BoolArray:
     """(n,) the held vertices around which positions alone leave the frames open.
 
     A flat group leaves its normal open, and frames mirror. Where all that is held in a component
     lies in a plane, on a line or in a point, the rest is free to turn or mirror about it.
     """
     held = np.flatnonzero(group != FREE)
-    own = _extents(shape.points[held], _pieces(shape, group)[held])
-    together = _extents(shape.points[held], shape.topology.vertex_component[held])
+    own = _extents(rest.points[held], _pieces(rest, group)[held])
+    together = _extents(rest.points[held], rest.topology.vertex_component[held])
     flat = (own[:, 0] <= PLANAR * own[:, 2]) & (own[:, 1] > PLANAR * own[:, 2])
     result = np.zeros(len(group), dtype=bool)
     result[held] = flat | (together[:, 0] <= PLANAR * together[:, 2])

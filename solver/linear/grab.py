@@ -55,7 +55,7 @@ class Grab:
 
 
 def make_grab(
-    shape: RestSurface, constraints: Constraints, system: System, weights: ArrayLike, lever: float
+    rest: RestSurface, constraints: Constraints, system: System, weights: ArrayLike, lever: float
 ) -> Grab:
     """A soft handle on the vertices where `weights` (n,) is positive: four back-substitutions.
 
@@ -65,29 +65,29 @@ def make_grab(
     Raises ConstraintError unless weights are (n,), non-negative, and positive on a free vertex.
     """
     w = as_floats(weights, "grab weights", ConstraintError)
-    n = len(shape.vertices)
+    n = len(rest.vertices)
     if w.shape != (n,):
         raise ConstraintError(f"grab weights must be ({n},), got {w.shape}")
     if (w < 0).any():
         raise ConstraintError(f"grab weights must not be negative, got {w.min()}")
-    component = shape.topology.vertex_component
+    component = rest.topology.vertex_component
     loose = np.unique(component[(w > 0) & ~constraints.held_components[component]])
-    carried = np.flatnonzero(np.isin(shape.row_component, loose))
-    moments = _moments(shape, w, lever)[system.free]
+    carried = np.flatnonzero(np.isin(rest.row_component, loose))
+    moments = _moments(rest, w, lever)[system.free]
     if not moments.any() and len(carried) == 0:
         raise ConstraintError("grab weights select no vertex that is free to move")
     return Grab(w, moments, system.factor.solve(moments), carried)
 
 
-def _moments(shape: RestSurface, weights: FloatArray, lever: float) -> FloatArray:
+def _moments(rest: RestSurface, weights: FloatArray, lever: float) -> FloatArray:
     """C = diag(omega) J, with the frames' rows only where positions determine nothing."""
     n = len(weights)
-    J = shape.affine_rows
+    J = rest.affine_rows
     omega = weights / max(weights.max(), np.finfo(float).tiny)
     C = np.zeros_like(J)
     C[:n] = omega[:, None] * J[:n]
-    normals = _undetermined_directions(shape.points, omega)
-    frame_weight = np.repeat(lever**2 * omega[shape.faces].mean(axis=1), 3)
+    normals = _undetermined_directions(rest.points, omega)
+    frame_weight = np.repeat(lever**2 * omega[rest.faces].mean(axis=1), 3)
     C[n:, :3] = frame_weight[:, None] * (J[n:, :3] @ normals @ normals.T)
     return C
 

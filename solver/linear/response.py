@@ -27,9 +27,9 @@ class Response:
     form: FloatArray
 
 
-def hard_response(shape: RestSurface, constraints: Constraints, system: System) -> Response:
+def hard_response(rest: RestSurface, constraints: Constraints, system: System) -> Response:
     """Basis and form of the hard handles: four back-substitutions for each."""
-    J = shape.affine_rows
+    J = rest.affine_rows
     count = len(constraints.handles)
     C = np.zeros((len(J), 4 * count))
     for handle in range(count):
@@ -40,23 +40,21 @@ def hard_response(shape: RestSurface, constraints: Constraints, system: System) 
     return Response(B, 0.5 * (Q + Q.T))
 
 
-def soften(
-    hard: Response, grabs: Sequence[Grab], moments: Moments, shape: RestSurface, free: IntArray
+def with_grabs(
+    hard: Response, grabs: Sequence[Grab], moments: Moments, rest: RestSurface, free: IntArray
 ) -> Response:
     """The response with soft handles after the hard ones.
 
     moments: those of all grabs together. A hard handle's basis loses what would change them.
     """
-    if not grabs:
-        return hard
     hard_count, soft_count = hard.basis.shape[1], 4 * len(grabs)
     wanted = np.zeros((soft_count, soft_count))
     B = np.hstack([hard.basis, np.zeros((len(hard.basis), soft_count))])
     for i, grab in enumerate(grabs):
         block = slice(4 * i, 4 * i + 4)
-        wanted[block, block] = grab.moments.T @ shape.affine_rows[free]
+        wanted[block, block] = grab.moments.T @ rest.affine_rows[free]
         column = slice(hard_count + block.start, hard_count + block.stop)
-        B[grab.carried, column] = shape.affine_rows[grab.carried]
+        B[grab.carried, column] = rest.affine_rows[grab.carried]
     wanted = np.hstack([np.zeros((soft_count, hard_count)), wanted])
     push = wanted - moments.of(B[free])
     B[free] = moments.meet(B[free], wanted)

@@ -5,9 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from solver.arrays import as_faces, as_vertices
 from solver.factor import minimum_degree
 from solver.geometry.topology import Topology
 from solver.linear.energy import RestEnergy
@@ -23,9 +21,9 @@ class RestSurface:
     vertices, faces: as given.  points: (n, 3) the same vertices in normalised units.
     """
 
-    def __init__(self, V: ArrayLike, F: ArrayLike) -> None:
-        self.vertices = as_vertices(V)
-        self.faces = as_faces(F, len(self.vertices))
+    def __init__(self, vertices: FloatArray, faces: IntArray) -> None:
+        self.vertices = vertices
+        self.faces = faces
         self.topology = Topology(self.faces, len(self.vertices))
         low, high = self.vertices.min(axis=0), self.vertices.max(axis=0)
         self.centre: FloatArray = 0.5 * (low + high)
@@ -84,15 +82,3 @@ class RestSurface:
     def normalise(self, X: FloatArray) -> FloatArray:
         """World positions in normalised units."""
         return (X - self.centre) / self.scale
-
-    def displace(self, displacement: FloatArray) -> FloatArray:
-        """World positions (n, 3) of the rest surface displaced by normalised units.
-
-        A zero displacement gives back the rest positions to the last bit.
-        """
-        return self.vertices + self.scale * displacement
-
-    def stack(self, transform: FloatArray) -> FloatArray:
-        """World transform (4, 4) as T = [A'; t'] (4, 3) acting on normalised rows [p', 1]."""
-        A, t = transform[:3, :3], transform[:3, 3]
-        return np.vstack([A.T, (A @ self.centre + t - self.centre) / self.scale])

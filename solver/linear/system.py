@@ -19,19 +19,19 @@ class Structure:
     It knows nothing of the material, so that all binds with the same constraints share it.
     """
 
-    def __init__(self, shape: RestSurface, constraints: Constraints) -> None:
-        self.size = shape.row_count
+    def __init__(self, rest: RestSurface, constraints: Constraints) -> None:
+        self.size = rest.row_count
         self.free = constraints.free
-        strained = _strained(shape, constraints)
+        strained = _strained(rest, constraints)
         self.active = np.flatnonzero(strained)
-        self.pattern = Pattern(shape.topology, strained)
+        self.pattern = Pattern(rest.topology, strained)
         number = np.full(self.size, -1)
         number[self.free] = np.arange(len(self.free))
         rows, columns = number[self.pattern.rows], number[self.pattern.columns]
         self.inner = np.flatnonzero((rows >= 0) & (columns >= 0))
         moved = constraints.row_group > FIXED
         self.outer = np.flatnonzero(moved[self.pattern.rows] | moved[self.pattern.columns])
-        order = shape.elimination_order
+        order = rest.elimination_order
         if order is not None:
             order = number[order]
             order = order[order >= 0]
@@ -48,9 +48,9 @@ class System:
     counts as zero.
     """
 
-    def __init__(self, shape: RestSurface, structure: Structure, weights: ElementWeights) -> None:
-        self._structure = structure
-        self._values = structure.pattern.values(shape.energy, weights)
+    def __init__(self, rest: RestSurface, structure: Structure, weights: ElementWeights) -> None:
+        self._rest, self._structure, self._weights = rest, structure, weights
+        self._values = structure.pattern.values(rest.energy, weights)
         self.free = structure.free
         self.active = structure.active
         self.factor: Factor = structure.analysis.factor(self._values[structure.inner])
@@ -68,22 +68,36 @@ class System:
         """K (n + 3m, n + 3m), without what lies between rows that cannot move."""
         return self._matrix(slice(None))
 
+    @property
+    def bending(self) -> tuple[IntArray, FloatArray]:
+        """(q, 2) numbers among the active triangles of those that a bending term joins, and l^2
+        w_e^-1 beta_e of each, (q,)."""
+        pattern = self._structure.pattern
+        ends = self._rest.topology.links[pattern.links]
+        return np.searchsorted(self.active, ends), self._weights.bending[pattern.links]
+
+    @property
+    def stretching(self) -> FloatArray:
+        """(a,) the sum over an active triangle's half-edges of w_eT sigma_e ||p_b - p_a||^2."""
+        d = self._rest.energy.vectors[self.active]
+        return np.einsum("ij,ijk,ijk->i", self._weights.stretching[self.active], d, d)
+
     def _matrix(self, which: IntArray | slice) -> sp.csr_array:
         pattern, size = self._structure.pattern, self._structure.size
         rows, columns = pattern.rows[which], pattern.columns[which]
         return symmetric(rows, columns, self._values[which], (size, size))
 
 
-def _strained(shape: RestSurface, constraints: Constraints) -> BoolArray:
+def _strained(rest: RestSurface, constraints: Constraints) -> BoolArray:
     """(m,) the triangles that can be strained: not those moving as one with all around them."""
     group = constraints.row_group
-    n = len(shape.vertices)
+    n = len(rest.vertices)
     free = np.zeros(len(group), dtype=bool)
     free[constraints.free] = True
-    frames = n + 3 * np.arange(len(shape.faces))
-    rows = np.column_stack([shape.faces, frames])
+    frames = n + 3 * np.arange(len(rest.faces))
+    rows = np.column_stack([rest.faces, frames])
     strained: BoolArray = free[rows].any(axis=1) | (group[rows] != group[frames, None]).any(axis=1)
-    ends = frames[shape.topology.links]
+    ends = frames[rest.topology.links]
     bent = free[ends].any(axis=1) | (group[ends[:, 0]] != group[ends[:, 1]])
-    strained[shape.topology.links[bent].ravel()] = True
+    strained[rest.topology.links[bent].ravel()] = True
     return strained

@@ -1,4 +1,4 @@
-"""Descent that learns the curvature as it goes."""
+"""Limited-memory BFGS: descent that learns the curvature as it goes. [Nocedal 1980]"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The energy that rounds lower: a shell whose triangles carry rotations."""
+"""The energy that the levels lower: ARAP with smooth rotations. [Levi & Gotsman 2015]"""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import scipy.sparse as sp
 
 from solver.factor import Factor, factorize
 from solver.geometry.rotations import torques
+from solver.linear.system import System
 from solver.rigid.lbfgs import inner
 from solver.types import FloatArray, IntArray
 
@@ -25,27 +26,27 @@ class SmoothRotationEnergy:
         E(X, R) = 1/2 sum w_eT  sigma_e ||x_b - x_a - R_T (p_b - p_a)||^2
           + l_r^2 / 2 sum w_e^-1 beta_e ||R_j - R_i||^2  =  1/2 tr U' M U
 
-    with U the rows of X (n, 3), then those of each R': three rows a triangle, as in K.
+    with U the rows of X (n, 3), then those of each R': three rows for each active triangle.
     """
 
-    def __init__(self, K: sp.csr_array, n: int, turning: IntArray, ratio: float) -> None:
-        """K: positions, then frames. turning: numbers of the triangles that are free to turn.
+    def __init__(self, system: System, K: sp.csr_array, turning: IntArray, ratio: float) -> None:
+        """K: of all positions and the frames of the system's active triangles.
 
+        turning: those of the active triangles, by number, that are free to turn.
         ratio: of the bending terms with l_r for the bending length to those in K.
         """
-        self._n = n
         self._turning = turning
-        stiffness = K.diagonal()[n:].reshape(-1, 3).sum(axis=1)
-        links = sp.coo_array(K[n::3][:, n::3])
-        i, j = links.coords
-        weights, i, j = -links.data[i != j], i[i != j], j[i != j]
-        degree = np.bincount(i, weights, len(stiffness))
-        self._own = np.maximum(stiffness - 3.0 * degree, 0.0)  # rounding may go below
-        size = (len(degree), len(degree))
-        bending = sp.diags_array(degree) - sp.coo_array((weights, (i, j)), shape=size)
+        self._own = system.stretching
+        count = len(system.active)
+        self._n = K.shape[0] - 3 * count
+        links, weights = system.bending
+        (i, j), size = links.T, (count, count)
+        degree = np.bincount(links.ravel(), np.repeat(weights, 2), count)
+        joined = sp.coo_array((weights, (i, j)), shape=size)
+        bending = sp.diags_array(degree) - joined - joined.T
         self._bending = sp.csr_array(ratio * bending)
         extra = sp.kron((ratio - 1.0) * bending, sp.eye_array(3))
-        self._M = sp.csr_array(K + sp.block_diag((sp.csr_array((n, n)), extra)))
+        self._M = sp.csr_array(K + sp.block_diag((sp.csr_array((self._n, self._n)), extra)))
 
     def measure(self, X: FloatArray, R: FloatArray) -> tuple[float, FloatArray]:
         """E, and its gradient (turning, 3) by small turns of the triangles that can turn.

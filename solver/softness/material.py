@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solver.arrays import as_floats, check_unit_interval
+from solver.arrays import as_floats, check_unit_interval, locked
 from solver.errors import MaterialError
 from solver.geometry.topology import Topology
 from solver.types import FloatArray, IntArray
@@ -39,7 +39,8 @@ PRESETS: dict[str, Material] = {
     "clay": Material(bending=0.1, stretching=0.1),
 }
 
-EdgeGains = tuple[ArrayLike, ArrayLike, ArrayLike]
+# Edges (k, 2), and the (k,) gains of each on bending and on stretching.
+EdgeGains = tuple[IntArray, FloatArray, FloatArray]
 
 
 def resolve_material(material: str | Material) -> Material:
@@ -70,11 +71,10 @@ def softness_gains(
     return material.bending**edge_softness, material.stretching**edge_softness
 
 
-def explicit_gains(topology: Topology, edge_gains: EdgeGains) -> tuple[FloatArray, FloatArray]:
-    """(bending, stretching) gains of each edge, (e,) each, from (edges (k, 2), (k,), (k,)).
+def as_edge_gains(edge_gains: tuple[ArrayLike, ArrayLike, ArrayLike]) -> EdgeGains:
+    """Read-only copies of (edges (k, 2), bending (k,), stretching (k,)).
 
-    Edges may come in any order and direction; those not named have gain 1. Raises MaterialError
-    for a pair that is no edge of the mesh, or a gain that is not positive.
+    Raises MaterialError for another shape, or a gain that is not positive.
     """
     if len(edge_gains) != 3:
         raise MaterialError(
@@ -85,17 +85,28 @@ def explicit_gains(topology: Topology, edge_gains: EdgeGains) -> tuple[FloatArra
         raise MaterialError(
             f"edge_gains' edges must be (k, 2) integers, got {edges.dtype} {edges.shape}"
         )
-    index = _find_edges(topology, edges.astype(np.int64))
-    gains = []
-    for name, values in zip(("bending", "stretching"), edge_gains[1:], strict=True):
-        values = as_floats(values, f"edge_gains' {name}", MaterialError)
+    bending, stretching = (
+        as_floats(values, f"edge_gains' {name}", MaterialError)
+        for name, values in zip(("bending", "stretching"), edge_gains[1:], strict=True)
+    )
+    for name, values in (("bending", bending), ("stretching", stretching)):
         if values.shape != (len(edges),):
             raise MaterialError(f"edge_gains' {name} must be ({len(edges)},), got {values.shape}")
         if (values <= 0).any():
             raise MaterialError(f"edge_gains' {name} must be positive, got {values.min()}")
-        full = np.ones(len(topology.edges))
-        full[index] = values
-        gains.append(full)
+    return locked(edges.astype(np.int64)), locked(bending), locked(stretching)
+
+
+def explicit_gains(topology: Topology, edge_gains: EdgeGains) -> tuple[FloatArray, FloatArray]:
+    """(bending, stretching) gains of each edge, (e,) each, from those of some edges.
+
+    Edges may come in any order and direction; those not named have gain 1. Raises MaterialError
+    for a pair that is no edge of the mesh.
+    """
+    edges, *named = edge_gains
+    index = _find_edges(topology, edges)
+    gains = np.ones((2, len(topology.edges)))
+    gains[:, index] = named
     return gains[0], gains[1]
 
 

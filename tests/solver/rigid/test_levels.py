@@ -12,11 +12,12 @@ import pytest
 from solver import Deformer
 from solver.geometry.rotations import nearest_rotations
 from solver.linear.assembly import deformation_matrix
-from solver.linear.binding import Binding, Options, bind
+from solver.linear.binding import Binding, bind
 from solver.linear.rest_surface import RestSurface
 from solver.rigid.half_way import half_way
-from solver.rigid.levels import Rigidity, State
+from solver.rigid.levels import RigidLevels, State
 from solver.rigid.smooth_rotations import ROTATION_LENGTH
+from solver.setup import Setup
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
 from tests.solver.definition import clamp, cotangent
@@ -68,19 +69,19 @@ def test_the_first_level_is_nearest_rotations_and_their_positions(handle: list[i
 
 def descent(handle: list[int], rounds: int, degrees: float = 80) -> list[State]:
     """The states of some rounds, in diagonals; triangles that nothing strains are at rest."""
-    shape = RestSurface(V, F)
+    rest = RestSurface(V, F)
     deformer = Deformer(V, F, FIXED, [handle])
-    binding = bind(shape, Options(fixed=FIXED, handles=[handle]))
+    binding = bind(rest, Setup(fixed=FIXED, handles=[handle]))
     system = binding.system
-    rigidity = Rigidity(shape, binding.constraints, system, (), binding.options.bending_length)
+    levels = RigidLevels(rest, binding.constraints, system, (), binding.bending_length)
     T = turn(handle, degrees)
     R = nearest_rotations(deformer.frames([T]).transpose(0, 2, 1))
-    X = shape.normalise(deformer.pose([T], rigid=1))
+    X = rest.normalise(deformer.pose([T], rigid=1))
     states = []
-    for state, _ in zip(rigidity.descend(X, R[system.active], none()), range(rounds), strict=False):
+    for state, _ in zip(levels.descend(X, R[system.active], none()), range(rounds), strict=False):
         R = np.tile(np.eye(3), (len(F), 1, 1))
-        R[system.active] = state.R
-        states.append(replace(state, R=R))
+        R[system.active] = state.rotations
+        states.append(replace(state, rotations=R))
     return states
 
 
@@ -91,9 +92,9 @@ def none() -> FloatArray:
 
 def shell_energy(X: FloatArray, R: FloatArray) -> float:
     """X in diagonals, R as rows of its transpose."""
-    shape = RestSurface(V, F)
-    ones = np.ones(len(shape.topology.edges))
-    K = deformation_matrix(shape.points, shape.topology, ROTATION_LENGTH, (ones, ones))
+    rest = RestSurface(V, F)
+    ones = np.ones(len(rest.topology.edges))
+    K = deformation_matrix(rest.points, rest.topology, ROTATION_LENGTH, (ones, ones))
     U = np.vstack([X, R.reshape(-1, 3)])
     return float(0.5 * np.sum(U * (K @ U)))
 
@@ -102,11 +103,11 @@ def shell_energy(X: FloatArray, R: FloatArray) -> float:
 @pytest.mark.parametrize("degrees", [30, 80, 175])
 def test_every_round_lowers_the_energy(handle: list[int], degrees: float) -> None:
     states = descent(handle, 12, degrees)
-    energies = np.array([shell_energy(state.X, state.R) for state in states])
+    energies = np.array([shell_energy(state.positions, state.rotations) for state in states])
     assert len(energies) > 4
     assert (np.diff(energies) < 0).all()
     np.testing.assert_allclose([state.energy for state in states], energies, rtol=1e-9)
-    R = states[-1].R
+    R = states[-1].rotations
     np.testing.assert_allclose(
         R @ R.transpose(0, 2, 1), np.tile(np.eye(3), (len(R), 1, 1)), atol=1e-12
     )
@@ -120,10 +121,10 @@ def test_after_many_rounds_no_turn_of_any_triangle_lowers_the_energy() -> None:
     scale = size(V)
     turning = np.flatnonzero(~np.isin(F, FIXED).all(axis=1) & ~np.isin(F, handle).all(axis=1))
     for _ in range(20):
-        R = state.R.copy()
+        R = state.rotations.copy()
         for t in turning:
             R[t] = R[t] @ rotation(rng.normal(size=3), 0.3).T
-        X = poisson(R.transpose(0, 2, 1), state.X * scale, free) / scale
+        X = poisson(R.transpose(0, 2, 1), state.positions * scale, free) / scale
         assert shell_energy(X, R) > state.energy
 
 
@@ -239,9 +240,9 @@ def bent_tube(degrees: float) -> tuple[FloatArray, IntArray, IntArray, IntArray,
 def test_of_all_starts_the_lowest_end_counts(degrees: float, rigid: int) -> None:
     P, faces, fixed, tip, T = bent_tube(degrees)
     halves = [bent_tube(0.5 * angle)[-1] for angle in (degrees, degrees - 360)]
-    shape, binding, rigidity = parts(P, faces, fixed, tip)
+    rest, binding, levels = parts(P, faces, fixed, tip)
     deformer = Deformer(P, faces, fixed, [tip])
-    X = shape.normalise(deformer.pose([T], rigid))
+    X = rest.normalise(deformer.pose([T], rigid))
     starts = [deformer.frames([T])]
     for half in halves if degrees > 170 else halves[:1]:
         R = np.stack([nearest(G) for G in deformer.frames([half])])
@@ -249,19 +250,19 @@ def test_of_all_starts_the_lowest_end_counts(degrees: float, rigid: int) -> None
     ends = []
     for frames in starts:
         R = np.stack([nearest(G).T for G in frames])[binding.system.active]
-        start = rigidity.positions(X, R, none())
-        ends.append(list(islice(rigidity.descend(start, R, none()), rigid))[-1])
+        start = levels.poisson.positions(X, R, none())
+        ends.append(list(islice(levels.descend(start, R, none()), rigid))[-1])
     lowest = min(ends, key=lambda state: state.energy)
-    np.testing.assert_allclose(X, lowest.X, atol=1e-6)
+    np.testing.assert_allclose(X, lowest.positions, atol=1e-6)
 
 
 def parts(
     P: FloatArray, faces: IntArray, fixed: IntArray, tip: IntArray
-) -> tuple[RestSurface, Binding, Rigidity]:
-    shape = RestSurface(P, faces)
-    binding = bind(shape, Options(fixed=fixed, handles=[tip]))
-    length = binding.options.bending_length
-    return shape, binding, Rigidity(shape, binding.constraints, binding.system, (), length)
+) -> tuple[RestSurface, Binding, RigidLevels]:
+    rest = RestSurface(P, faces)
+    binding = bind(rest, Setup(fixed=fixed, handles=[tip]))
+    length = binding.bending_length
+    return rest, binding, RigidLevels(rest, binding.constraints, binding.system, (), length)
 
 
 def stretched(T: FloatArray) -> FloatArray:
@@ -279,12 +280,12 @@ def mirrored(T: FloatArray) -> FloatArray:
 )
 def test_all_but_large_turns_have_one_start(T: FloatArray) -> None:
     P, faces, fixed, tip, _ = bent_tube(0)
-    shape, _, rigidity = parts(P, faces, fixed, tip)
+    rest, _, levels = parts(P, faces, fixed, tip)
     deformer = Deformer(P, faces, fixed, [tip])
     rows = deformer.frames([T]).transpose(0, 2, 1).reshape(-1, 3)
-    U = np.vstack([shape.normalise(deformer.pose([T])), rows])
-    X = shape.normalise(deformer.pose([T], 4))
-    np.testing.assert_allclose(X, rigidity.refine(U, 4), atol=1e-8)
+    U = np.vstack([rest.normalise(deformer.pose([T])), rows])
+    X = rest.normalise(deformer.pose([T], 4))
+    np.testing.assert_allclose(X, levels.refine(U, 4).positions, atol=1e-8)
 
 
 @pytest.mark.parametrize("make", MAKES)

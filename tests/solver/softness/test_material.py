@@ -19,7 +19,7 @@ from solver import (
 )
 from solver.geometry.laplacian import cotangent_laplacian
 from solver.geometry.topology import Topology
-from solver.softness.material import explicit_gains, resolve_material, softness_gains
+from solver.softness.material import as_edge_gains, explicit_gains, resolve_material, softness_gains
 from tests.solver import shapes
 
 rng = np.random.default_rng(0)
@@ -66,7 +66,7 @@ def test_edges_not_named_are_rigid() -> None:
     V, F = shapes.tube(3, 4)
     topology = Topology(F, len(V))
     one = topology.edges[5:6]
-    bending, stretching = explicit_gains(topology, (one, [3.0], [0.2]))
+    bending, stretching = explicit_gains(topology, as_edge_gains((one, [3.0], [0.2])))
     assert bending[5] == 3
     assert stretching[5] == 0.2
     np.testing.assert_array_equal(np.delete(bending, 5), 1)

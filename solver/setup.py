@@ -1,0 +1,98 @@
+"""What a surface is bound to: its handles, its softness and how it bends, as one record."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solver.arrays import as_floats, as_integers, locked
+from solver.errors import MaterialError
+from solver.softness.material import EdgeGains, Material, as_edge_gains, resolve_material
+from solver.types import FloatArray, IntArray
+
+
+@dataclass(frozen=True, eq=False, init=False)
+class Setup:
+    """What a Deformer is built from besides the mesh, compared by content; see there.
+
+    Holds read-only copies: what the caller does to its arrays later does not reach it. Whether
+    it fits a mesh is found out when it is bound.
+
+    fixed: (k,).  handles: one (k,) array each.  softness: (n,) or None.
+    Raises ConstraintError (fixed, handles) or MaterialError (the rest).
+    """
+
+    fixed: IntArray
+    handles: tuple[IntArray, ...]
+    softness: FloatArray | None
+    material: Material
+    bending_length: float
+    orientation: bool
+    edge_gains: EdgeGains | None
+
+    def __init__(
+        self,
+        fixed: ArrayLike = (),
+        handles: Sequence[ArrayLike] = (),
+        softness: ArrayLike | None = None,
+        material: str | Material = "hinge",
+        bending_length: float = 0.01,
+        orientation: bool = True,
+        edge_gains: tuple[ArrayLike, ArrayLike, ArrayLike] | None = None,
+    ) -> None:
+        if softness is not None and edge_gains is not None:
+            raise MaterialError("give softness or edge_gains, got both")
+        if softness is not None:
+            softness = locked(as_floats(softness, "softness", MaterialError))
+        named = [as_integers(h, f"handle {number}") for number, h in enumerate(handles)]
+        values = {
+            "fixed": locked(as_integers(fixed, "fixed")),
+            "handles": tuple(map(locked, named)),
+            "softness": softness,
+            "material": resolve_material(material),
+            "bending_length": _as_length(bending_length),
+            "orientation": bool(orientation),
+            "edge_gains": None if edge_gains is None else as_edge_gains(edge_gains),
+        }
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Setup):
+            return NotImplemented
+        return all(_same(getattr(self, f.name), getattr(other, f.name)) for f in fields(self))
+
+    def holds_as(self, other: Setup) -> bool:
+        """Whether both hold the same vertices in the same way, whatever their material."""
+        names = ("fixed", "handles", "orientation")
+        return all(_same(getattr(self, name), getattr(other, name)) for name in names)
+
+    def changed(self, **changes: Any) -> Setup:
+        """Another one with some values replaced.
+
+        Giving softness or a material drops edge_gains, and the other way round.
+        """
+        if "edge_gains" in changes:
+            changes = {"softness": None, **changes}
+        elif "softness" in changes or "material" in changes:
+            changes = {"edge_gains": None, **changes}
+        return Setup(**{f.name: getattr(self, f.name) for f in fields(self)} | changes)
+
+
+def _as_length(length: float) -> float:
+    numeric = isinstance(length, int | float | np.number) and not isinstance(length, bool)
+    if not (numeric and np.isfinite(length) and length > 0):
+        raise MaterialError(f"bending_length must be a positive number, got {length!r}")
+    return float(length)
+
+
+def _same(one: Any, two: Any) -> bool:
+    if isinstance(one, tuple) and isinstance(two, tuple):
+        return len(one) == len(two) and all(map(np.array_equal, one, two))
+    if isinstance(one, np.ndarray) and isinstance(two, np.ndarray):
+        return bool(np.array_equal(one, two))
+    return type(one) is type(two) and bool(one == two)
