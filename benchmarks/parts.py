@@ -23,7 +23,7 @@ PARTS: dict[str, tuple[tuple[Function, ...], tuple[Function, ...]]] = {
     ),
     "elimination order, once a mesh": ((("rest_surface.py", "elimination_order"),), ()),
     "symbolic analysis": ((SYMBOLIC,), ()),
-    "places of the entries, for CHOLMOD": ((("factor.py", "analyse"),), (SYMBOLIC,)),
+    "places of the entries, for CHOLMOD": ((("table.py", "analyse"),), (SYMBOLIC,)),
     "numeric factorisation": (((None, "<built-in method cvxopt.cholmod.numeric>"),), ()),
     "basis: back-substitutions and products": ((("response.py", "hard_response"),), ()),
 }
