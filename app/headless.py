@@ -13,6 +13,8 @@ from solver.mesh.statistics import MeshStatistics, mesh_statistics
 from solver.types import FloatArray
 
 POLYGON_NAMES = {3: "triangles", 4: "quads"}
+# These are named even where a file has none.
+USUAL_EXTRAS = ("texture coordinates", "normals", "groups")
 
 
 def deform(mesh: Path, session: Path, output: Path, rigid: int | None) -> None:
@@ -55,8 +57,8 @@ def _surface_lines(counts: MeshStatistics) -> list[str]:
 
 
 def _extra_lines(counts: MeshStatistics) -> list[str]:
-    kept = ("texture_coordinates", "normals", "groups")
-    return [_line(_words(name), f"{getattr(counts, name):,}") for name in kept]
+    extras = {**dict.fromkeys(USUAL_EXTRAS, 0), **counts.extras}
+    return [_line(name, f"{number:,}") for name, number in extras.items()]
 
 
 def _odd_lines(counts: MeshStatistics) -> list[str]:

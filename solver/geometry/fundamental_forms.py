@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.arrays import as_faces, as_vertices
+from solver.geometry.frames import triangle_frames, unit
 from solver.geometry.topology import FacePairs, Topology
 from solver.types import FloatArray
 
@@ -55,23 +56,8 @@ def manifold_pairs(topology: Topology) -> FacePairs:
     return FacePairs(*(getattr(pairs, name)[keep] for name in FacePairs.__dataclass_fields__))
 
 
-def rest_frames(V: FloatArray, F: np.ndarray) -> FloatArray:
-    """Orthonormal frame of each triangle, (m, 3, 3).
-
-    Columns: first edge, normal x first edge, normal.
-    Zero-area triangles get some orthonormal frame.
-    """
-    first = _unit(V[F[:, 1]] - V[F[:, 0]])
-    normal = np.cross(first, V[F[:, 2]] - V[F[:, 0]])
-    # Any direction across the first edge will do where the triangle has no normal.
-    spare = np.cross(first, np.eye(3)[np.abs(first).argmin(axis=1)])
-    flat = np.linalg.norm(normal, axis=1) <= 1e-14 * np.abs(V).max(initial=1.0)
-    normal = _unit(np.where(flat[:, None], spare, normal))
-    return np.stack([first, np.cross(normal, first), normal], axis=2)
-
-
 def corner_points(lengths: FloatArray) -> FloatArray:
-    """Corners of each triangle in its own frame, (m, 3, 2), by the law of cosines.
+    """Corners of each triangle in its orthonormal frame, (m, 3, 2), by the law of cosines.
 
     lengths: (m, 3) edge lengths opposite each corner. Corner 0 is the origin and corner 1 lies
     on the first axis.
@@ -89,8 +75,8 @@ def corner_points(lengths: FloatArray) -> FloatArray:
 def transitions(topology: Topology, forms: FundamentalForms, pairs: FacePairs) -> FloatArray:
     """R_ij = Rz(phi_i) Rx(dihedral) Rz(-phi_j), (p, 3, 3), with f_j = f_i R_ij.
 
-    phi is the direction of the shared edge, from its lower to its higher vertex, in the frame
-    of each triangle.
+    f are the triangles' orthonormal frames. phi is the direction of the shared edge, from its lower
+    to its higher vertex, in each of the two.
     """
     points = corner_points(forms.lengths[topology.half_edge_edge])
     phi_first = _edge_direction(points, topology, pairs.first, pairs.half_first)
@@ -101,10 +87,10 @@ def transitions(topology: Topology, forms: FundamentalForms, pairs: FacePairs) -
 
 
 def _dihedral_angles(V: FloatArray, topology: Topology, pairs: FacePairs) -> FloatArray:
-    normals = rest_frames(V, topology.faces)[:, :, 2]
+    normals = triangle_frames(V[topology.faces]).axes[:, :, 2]
     one, two = normals[pairs.first], normals[pairs.second]
     edges = topology.edges[pairs.edge]
-    along = _unit(V[edges[:, 1]] - V[edges[:, 0]])
+    along = unit(V[edges[:, 1]] - V[edges[:, 0]])
     forward = topology.half_edge_forward[pairs.first, pairs.half_first]
     sine = np.where(forward, 1.0, -1.0) * np.einsum("ij,ij->i", along, np.cross(one, two))
     return np.arctan2(sine, np.einsum("ij,ij->i", one, two))
@@ -134,9 +120,3 @@ def _rotation(angle: FloatArray, i: int, j: int, axis: int) -> FloatArray:
     R[:, i, j] = -R[:, j, i]
     R[:, axis, axis] = 1.0
     return R
-
-
-def _unit(vectors: FloatArray) -> FloatArray:
-    norm = np.linalg.norm(vectors, axis=1, keepdims=True)
-    # A zero vector (a repeated vertex) takes the first axis, so that frames stay finite.
-    return np.where(norm > 0, vectors / np.where(norm > 0, norm, 1.0), [1.0, 0.0, 0.0])

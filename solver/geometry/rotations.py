@@ -38,6 +38,7 @@ def nearest_rotations(A: FloatArray) -> FloatArray:
 
 
 def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
+    """u x v along the first axis; np.cross is slower along any but the last."""
     return np.stack(
         [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
     )

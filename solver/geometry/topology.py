@@ -56,14 +56,18 @@ class Topology:
         self.half_edge_forward: BoolArray = start <= end
 
     @cached_property
+    def valence(self) -> IntArray:
+        """(e,) how many triangles each edge has."""
+        return np.bincount(self.half_edge_edge.ravel(), minlength=len(self.edges))
+
+    @cached_property
     def pairs(self) -> FacePairs:
         """Every two triangles that share an edge."""
         edge_of = self.half_edge_edge.ravel()
         order = np.argsort(edge_of, kind="stable")  # stable: lower triangles come first
         sorted_edges = edge_of[order]
-        valence = np.bincount(edge_of, minlength=len(self.edges))
         left, right = [], []
-        for step in range(1, int(valence.max(initial=1))):
+        for step in range(1, int(self.valence.max(initial=1))):
             at = np.flatnonzero(sorted_edges[:-step] == sorted_edges[step:])
             left.append(order[at])
             right.append(order[at + step])
@@ -72,7 +76,7 @@ class Topology:
         distinct = one // 3 != two // 3  # a triangle with a repeated vertex meets itself
         one, two = one[distinct], two[distinct]
         edge = edge_of[one]
-        return FacePairs(one // 3, two // 3, one % 3, two % 3, edge, valence[edge])
+        return FacePairs(one // 3, two // 3, one % 3, two % 3, edge, self.valence[edge])
 
     @cached_property
     def links(self) -> IntArray:
@@ -83,12 +87,12 @@ class Topology:
     @cached_property
     def vertex_component(self) -> IntArray:
         """(n,) the connected component of each vertex; an unreferenced vertex is one by itself."""
-        return _components(self.edges, self.vertex_count)
+        return components(self.edges, self.vertex_count)
 
     @cached_property
     def face_component(self) -> IntArray:
         """(m,) components of triangles joined through shared edges."""
-        return _components(np.column_stack([self.pairs.first, self.pairs.second]), len(self.faces))
+        return components(np.column_stack([self.pairs.first, self.pairs.second]), len(self.faces))
 
     @cached_property
     def pinches(self) -> IntArray:
@@ -106,7 +110,8 @@ class Topology:
         return np.column_stack([face[:-1][meets], face[1:][meets]])
 
 
-def _components(links: IntArray, count: int) -> IntArray:
+def components(links: IntArray, count: int) -> IntArray:
+    """(count,) the connected component of each node; links (q, 2) join them."""
     graph = sp.coo_array((np.ones(len(links)), (links[:, 0], links[:, 1])), shape=(count, count))
     labels: IntArray = connected_components(graph, directed=False)[1].astype(np.int64)
     return labels

@@ -68,7 +68,7 @@ class _Ring:
     def cost(self, i: IntArray) -> FloatArray:
         """Squared length of the diagonal that cuts corner i off; 100 or more if it is no ear."""
         a, b, c = (self.p[self.rows, j] for j in (self.before[self.rows, i], i, self._next(i)))
-        area = _cross(b - a, c - a)
+        area = _determinant(b - a, c - a)
         ear = (area > 1e-12) & ~self._holds_a_corner(a, b, c)
         # The tiny share of the corner's number keeps ties from being decided by rounding.
         return np.where(ear, ((c - a) ** 2).sum(axis=1) + 1e-9 * i, 100 + np.abs(area))
@@ -81,11 +81,12 @@ class _Ring:
         a, b, c = a[:, None], b[:, None], c[:, None]
         inside = self.alive.copy()
         for start, end in ((a, b), (b, c), (c, a)):
-            inside &= _cross(end - start, self.p - start) >= -1e-12
+            inside &= _determinant(end - start, self.p - start) >= -1e-12
             # A vertex that the polygon visits twice does not block the ear at its other visit.
             inside &= ((self.p - start) ** 2).sum(axis=2) > 1e-24
         return np.asarray(inside.any(axis=1))
 
 
-def _cross(a: FloatArray, b: FloatArray) -> FloatArray:
+def _determinant(a: FloatArray, b: FloatArray) -> FloatArray:
+    """Of plane vectors: positive where b lies to the left of a."""
     return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])

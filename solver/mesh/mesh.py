@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -13,22 +13,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from solver.errors import MeshError
-from solver.mesh.formats.obj import ObjSource, read_obj
-from solver.mesh.formats.obj_write import plain_obj, rewrite_obj
-from solver.mesh.formats.off import read_off, write_off
-from solver.mesh.formats.ply import read_ply, write_ply
-from solver.mesh.formats.stl import read_stl, write_stl
-from solver.mesh.normals import turn_normals
+from solver.mesh.formats.format import DeformedSurface, FileContent, Format
+from solver.mesh.formats.table import FORMATS
 from solver.mesh.polygons import Polygons, triangulate
 from solver.storage import read_bytes, write_atomically
 from solver.types import FloatArray, IntArray
-
-_READERS: dict[str, Callable[[bytes, str], tuple[FloatArray, Polygons]]] = {
-    ".off": read_off,
-    ".ply": read_ply,
-    ".stl": read_stl,
-}
-SUFFIXES = (".obj", *_READERS)
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,16 +25,16 @@ class Mesh:
     """A surface: `vertices` (n, 3) float64 in file order, `faces` (m, 3) int64 triangles.
 
     Arrays are read-only. `outlines` are the polygons of the file, `triangle_corners` (m, 3) their
-    corners that each triangle takes: `faces == outlines.corners[triangle_corners]`. `source` is
-    what an OBJ file holds beyond that.
+    corners that each triangle takes: `faces == outlines.corners[triangle_corners]`. `extras` counts
+    what else the file holds, in plain words; `source` is what its format keeps of that to save it.
     """
 
     vertices: FloatArray
     outlines: Polygons
     triangle_corners: IntArray
     faces: IntArray
-    path: Path | None = None
-    source: ObjSource | None = None
+    extras: Mapping[str, int]
+    source: object
 
     @classmethod
     def from_arrays(cls, V: ArrayLike, F: ArrayLike) -> Mesh:
@@ -65,7 +54,7 @@ class Mesh:
             face, vertex = wrong[0] // faces.shape[1], polygons.corners[wrong[0]]
             last = len(vertices) - 1
             raise MeshError(f"face {face} names vertex {vertex}, but they go from 0 to {last}")
-        return _build(vertices, polygons, "the mesh")
+        return _build(FileContent(vertices, polygons), "the mesh")
 
     @cached_property
     def polygons(self) -> IntArray | list[list[int]]:
@@ -82,26 +71,15 @@ class Mesh:
         that moved and of `vn` lines that turned. Other formats keep the polygons (STL: triangles).
         Raises MeshError for X or the suffix, FileError where the file cannot be written.
         """
-        suffix = _suffix(path)
+        file_format = _format(path)
         positions = _positions(X)
         if positions.shape != self.vertices.shape:
             expected = self.vertices.shape
             raise MeshError(f"positions must be {expected}, got {positions.shape}")
-        write_atomically(path, self._encode(suffix, positions))
-
-    def _encode(self, suffix: str, X: FloatArray) -> bytes:
-        if suffix == ".off":
-            return write_off(X, self.outlines)
-        if suffix == ".ply":
-            return write_ply(X, self.outlines)
-        if suffix == ".stl":
-            return write_stl(X, Polygons.from_array(self.faces))
-        if self.source is None:
-            return plain_obj(X, self.outlines)
-        users = self.source.corner_normals[self.triangle_corners]
-        turned = turn_normals(self.source.normals, users, self.vertices, X, self.faces)
-        moved = (self.vertices != X).any(axis=1)
-        return rewrite_obj(self.source, X, moved, *turned)
+        surface = DeformedSurface(
+            self.vertices, positions, self.outlines, self.triangle_corners, self.source
+        )
+        write_atomically(path, file_format.write(surface))
 
 
 def load_mesh(path: str | os.PathLike[str]) -> Mesh:
@@ -110,30 +88,19 @@ def load_mesh(path: str | os.PathLike[str]) -> Mesh:
     Raises FileError where the file cannot be read and MeshError, in one line that names the place,
     where it does not hold a surface.
     """
-    suffix, name = _suffix(path), os.fspath(path)
-    data = read_bytes(path)
-    source = None
-    if suffix == ".obj":
-        vertices, polygons, source = read_obj(data, name)
-    else:
-        vertices, polygons = _READERS[suffix](data, name)
-    return _build(vertices, polygons, name, Path(path), source)
+    file_format, name = _format(path), os.fspath(path)
+    return _build(file_format.read(read_bytes(path), name), name)
 
 
-def _build(
-    vertices: FloatArray,
-    polygons: Polygons,
-    name: str,
-    path: Path | None = None,
-    source: ObjSource | None = None,
-) -> Mesh:
+def _build(content: FileContent, name: str) -> Mesh:
+    vertices, polygons = content.vertices, content.polygons
     if not len(polygons.sizes):
         raise MeshError(f"{name}: no faces, expected at least one")
     corners = triangulate(vertices, polygons)
     faces = polygons.corners[corners]
     for array in (vertices, polygons.sizes, polygons.corners, corners, faces):
         _lock(array)
-    return Mesh(vertices, polygons, corners, faces, path, source)
+    return Mesh(vertices, polygons, corners, faces, content.extras, content.source)
 
 
 def _positions(X: ArrayLike) -> FloatArray:
@@ -152,12 +119,12 @@ def _positions(X: ArrayLike) -> FloatArray:
     return positions
 
 
-def _suffix(path: str | os.PathLike[str]) -> str:
+def _format(path: str | os.PathLike[str]) -> Format:
     suffix = Path(path).suffix.lower()
-    if suffix not in SUFFIXES:
-        known = ", ".join(SUFFIXES)
+    if suffix not in FORMATS:
+        known = ", ".join(FORMATS)
         raise MeshError(f"{os.fspath(path)}: unknown mesh format {suffix!r}, expected {known}")
-    return suffix
+    return FORMATS[suffix]
 
 
 def _lock(array: NDArray[Any]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from solver.geometry.frames import triangle_frames
 from solver.types import BoolArray, FloatArray, IntArray
 
 
@@ -13,9 +14,9 @@ def turn_normals(
     """Normals (k, 3) after the surface (V, F) has become (X, F), and which of them turned, (k,).
 
     `users` (m, 3) is the normal at each triangle corner, -1 for none. Every corner turns its normal
-    by the rotation of its triangle, frame to frame (first edge and normal); the result is the mean
-    over corners, weighted by rest area, at the length of the original. Triangles without area, at
-    rest or deformed, have no frame and no vote. Nothing turned where every vote is within 1e-9.
+    by the rotation of its triangle, from its orthonormal frame at rest to the deformed one; the
+    result is the mean over corners, weighted by rest area, at the length of the original. Triangles
+    without area, at rest or deformed, have no vote. Nothing turned where every vote is within 1e-9.
     """
     votes, weights, index, moved = _votes(normals, users, V, X, F)
     k = len(normals)
@@ -34,35 +35,15 @@ def _votes(
     normals: FloatArray, users: IntArray, V: FloatArray, X: FloatArray, F: IntArray
 ) -> tuple[FloatArray, FloatArray, IntArray, FloatArray]:
     """For every voting corner: turned unit normal, weight, index of the normal, 1 if it moved."""
-    rest, area, whole = frames(V[F])
-    deformed, _, whole_deformed = frames(X[F])
+    rest, deformed = triangle_frames(V[F]), triangle_frames(X[F])
+    both = ~(rest.degenerate | deformed.degenerate)
     size = np.linalg.norm(normals, axis=1)
     # NaN compares false: an unreadable normal takes no part.
     has_direction = np.append(size > 0, False)
-    t, corner = np.nonzero((whole & whole_deformed)[:, None] & has_direction[users])
+    t, corner = np.nonzero(both[:, None] & has_direction[users])
     index = users[t, corner]
     before = normals[index] / size[index, None]
-    local = np.einsum("icx,ic->ix", rest[t], before)
-    votes = np.einsum("icx,ix->ic", deformed[t], local)
+    local = np.einsum("icx,ic->ix", rest.axes[t], before)
+    votes = np.einsum("icx,ix->ic", deformed.axes[t], local)
     moved = np.linalg.norm(votes - before, axis=1) > 1e-9
-    return votes, area[t], index, moved.astype(np.float64)
-
-
-def frames(P: FloatArray) -> tuple[FloatArray, FloatArray, BoolArray]:
-    """Local frames of triangles with corners P (m, 3, 3).
-
-    Returns frames (m, 3, 3) with columns e1, e3 x e1, e3; areas (m,), relative to the largest
-    triangle's size; and which triangles have an area, to rounding. The others' frames mean nothing.
-    """
-    edge, other = P[:, 1] - P[:, 0], P[:, 2] - P[:, 0]
-    # Squares of very large or small edges leave the range of float64, so each triangle is scaled.
-    size = np.maximum(np.abs(edge), np.abs(other)).max(axis=1)
-    scale = np.where(size > 0, size, 1)[:, None]
-    edge, other = edge / scale, other / scale
-    cross = np.cross(edge, other)
-    double = np.linalg.norm(cross, axis=1)
-    whole = double > 1e-12
-    e1 = edge / np.where(whole, np.linalg.norm(edge, axis=1), 1)[:, None]
-    e3 = cross / np.where(whole, double, 1)[:, None]
-    area = double * (size / max(size.max(), np.finfo(float).tiny)) ** 2
-    return np.stack([e1, np.cross(e3, e1), e3], axis=2), area, whole
+    return votes, rest.areas[t], index, moved.astype(np.float64)

@@ -1,1 +1,1 @@
-"""Mesh file formats: bytes to positions and polygons, and back."""
+"""Mesh file formats: bytes to positions and polygons, and back; `table` lists them."""

@@ -7,15 +7,15 @@ import re
 import numpy as np
 
 from solver.errors import MeshError
+from solver.mesh.formats.format import DeformedSurface, FileContent
 from solver.mesh.formats.text import Text, points, split_lines
 from solver.mesh.polygons import Polygons
-from solver.types import FloatArray
 
 # Texture coordinates, colours and normals come after the position and are ignored.
 _HEADER = re.compile(rb"(ST)?C?N?OFF")
 
 
-def read_off(data: bytes, name: str) -> tuple[FloatArray, Polygons]:
+def read_off(data: bytes, name: str) -> FileContent:
     """Vertices and polygons. Raises MeshError naming the line."""
     lines = split_lines(name, data, "an OFF mesh")
     text = Text(name, lines, [line.split(b"#", 1)[0] for line in lines])
@@ -31,11 +31,12 @@ def read_off(data: bytes, name: str) -> tuple[FloatArray, Polygons]:
         raise MeshError(
             f"{name}: the file ends early, expected {n} vertices and {m} faces, got {len(at)} lines"
         )
-    return points(text, at[:n], 0), _faces(text, at[n : n + m], n)
+    return FileContent(points(text, at[:n], 0), _faces(text, at[n : n + m], n))
 
 
-def write_off(X: FloatArray, polygons: Polygons) -> bytes:
+def write_off(surface: DeformedSurface) -> bytes:
     """Numbers have the shortest text that reads back the same float64."""
+    X, polygons = surface.positions, surface.polygons
     head = b"OFF\n%d %d 0\n" % (len(X), len(polygons.sizes))
     vertices = [b"%a %a %a\n" % tuple(row) for row in X.tolist()]
     faces = [" ".join(map(str, [len(face), *face])) + "\n" for face in polygons.tolist()]

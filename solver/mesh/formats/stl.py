@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from solver.errors import MeshError
+from solver.mesh.formats.format import DeformedSurface, FileContent
 from solver.mesh.formats.text import Text, points, split_lines
 from solver.mesh.polygons import Polygons
 from solver.types import FloatArray, IntArray
@@ -13,7 +14,7 @@ _RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribut
 _HEAD = 84
 
 
-def read_stl(data: bytes, name: str) -> tuple[FloatArray, Polygons]:
+def read_stl(data: bytes, name: str) -> FileContent:
     """Vertices and triangles; corners at exactly the same place become one vertex.
 
     Raises MeshError saying what was expected.
@@ -23,12 +24,12 @@ def read_stl(data: bytes, name: str) -> tuple[FloatArray, Polygons]:
     is_text = data.lstrip()[:5].lower() == b"solid" and b"facet" in data
     corners = _read_text(data, name) if is_text else _read_binary(data, name)
     V, faces = _weld(corners)
-    return V, Polygons.from_array(faces)
+    return FileContent(V, Polygons.from_array(faces))
 
 
-def write_stl(X: FloatArray, polygons: Polygons) -> bytes:
-    """Binary STL of a mesh of triangles. The format rounds to float32."""
-    corners = X[polygons.corners.reshape(-1, 3)]
+def write_stl(surface: DeformedSurface) -> bytes:
+    """Binary STL of the triangles. The format rounds to float32."""
+    corners = surface.positions[surface.triangles]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normal, axis=1, keepdims=True)
     records = np.zeros(len(corners), dtype=_RECORD)

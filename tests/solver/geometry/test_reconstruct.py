@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from solver import MeshError, fundamental_forms, load_mesh, reconstruct
-from solver.geometry.fundamental_forms import rest_frames
+from solver.geometry.frames import triangle_frames
 from tests.solver import shapes
 from tests.solver.geometry.test_forms import SURFACES
 
@@ -47,7 +47,7 @@ def test_the_seed_places_the_surface(name: str) -> None:
     rng = np.random.default_rng(1)
     T = shapes.motion(shapes.random_rotation(rng), 10 * rng.normal(size=3))
     face = int(rng.integers(len(F)))
-    frame = T[:3, :3] @ rest_frames(V, F)[face]
+    frame = T[:3, :3] @ triangle_frames(V[F]).axes[face]
     corner = shapes.moved(T, V[F[face, 0]])
     X = reconstruct(F, fundamental_forms(V, F), face, frame, corner)
     np.testing.assert_allclose(X, shapes.moved(T, V), atol=1e-8 * shapes.size(V))

@@ -1,3 +1,5 @@
+"""Meshes from arrays and files, and what is refused."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -18,7 +20,6 @@ def test_arrays_make_a_mesh(dtype: type) -> None:
     assert mesh.vertices.dtype == np.float64
     assert mesh.faces.dtype == np.int64
     assert mesh.faces.tolist() == [[0, 1, 2], [0, 2, 3]]
-    assert mesh.path is None
 
 
 def test_quads_are_split_and_kept_for_display() -> None:
@@ -102,5 +103,4 @@ def test_paths_may_be_strings_with_any_letters_and_case(tmp_path: Path) -> None:
     path = str(tmp_path / "Schädel 頭.OBJ")
     Mesh.from_arrays(V, [[0, 1, 2, 3]]).save(path, V)
     mesh = load_mesh(path)
-    assert mesh.path == Path(path)
     assert np.asarray(mesh.polygons).tolist() == [[0, 1, 2, 3]]

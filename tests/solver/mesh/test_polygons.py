@@ -1,3 +1,5 @@
+"""Polygons into triangles: planar ones are covered once, any is split."""
+
 from __future__ import annotations
 
 import numpy as np

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.errors import MeshError
-from solver.mesh.formats.ply_header import Element, Header
+from solver.mesh.formats.ply.header import Element, Header
 from solver.mesh.formats.text import Text
 from solver.types import FloatArray, IntArray
 

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
+from collections import defaultdict
 from dataclasses import dataclass
 
 import numpy as np
 
 from solver.errors import MeshError
+from solver.mesh.formats.format import FileContent
 from solver.mesh.formats.text import Text, is_point, points, split_lines
 from solver.mesh.polygons import Polygons
 from solver.types import FloatArray, IntArray
 
 _BOM = b"\xef\xbb\xbf"
+_EXTRAS = {"texture coordinates": b"vt", "normals": b"vn", "groups": b"g"}
 _CONTINUES = re.compile(rb"\\[ \t]*(\r\n|\r|\n)")
 
 
@@ -33,8 +36,8 @@ class ObjSource:
     corner_normals: IntArray
 
 
-def read_obj(data: bytes, name: str) -> tuple[FloatArray, Polygons, ObjSource]:
-    """Vertices, polygons and source of an OBJ file. Raises MeshError naming the line.
+def read_obj(data: bytes, name: str) -> FileContent:
+    """Vertices and polygons, with an ObjSource. Raises MeshError naming the line.
 
     Faces may name vertices that come later. A normal that is not there or cannot be read is no
     error: exporters write such lines, and no position depends on them.
@@ -43,10 +46,8 @@ def read_obj(data: bytes, name: str) -> tuple[FloatArray, Polygons, ObjSource]:
     lines = obj_lines(data)
     marked = b"#" in data or b"\\" in data
     text = Text(name, lines, [_bare(line) for line in lines] if marked else lines)
-    keys = keywords(text.bare)
-    v_lines, vn_lines, f_lines = (
-        [i for i, key in enumerate(keys) if key == kind] for kind in (b"v", b"vn", b"f")
-    )
+    at = _lines_by_keyword(text.bare)
+    v_lines, vn_lines, f_lines = at[b"v"], at[b"vn"], at[b"f"]
     if not v_lines:
         raise MeshError(f"{name}: no vertices, expected an OBJ mesh with lines 'v x y z'")
     if not f_lines:
@@ -55,7 +56,9 @@ def read_obj(data: bytes, name: str) -> tuple[FloatArray, Polygons, ObjSource]:
     normals = _normals(text, vn_lines)
     polygons, corner_normals = _FaceReader(text, f_lines).read(v_lines, vn_lines)
     v_at, vn_at = (np.array(lines, dtype=np.int64) for lines in (v_lines, vn_lines))
-    return V, polygons, ObjSource(data, v_at, vn_at, normals, corner_normals)
+    source = ObjSource(data, v_at, vn_at, normals, corner_normals)
+    extras = {words: len(at[key]) for words, key in _EXTRAS.items()}
+    return FileContent(V, polygons, extras, source)
 
 
 def obj_lines(data: bytes) -> list[bytes]:
@@ -81,9 +84,12 @@ def byte_order_mark(data: bytes) -> bytes:
     return _BOM * data.startswith(_BOM)
 
 
-def keywords(lines: list[bytes]) -> list[bytes]:
-    """The first word of every line, empty where there is none."""
-    return [(line.split(None, 1) or [b""])[0] for line in lines]
+def _lines_by_keyword(lines: list[bytes]) -> defaultdict[bytes, list[int]]:
+    """Which lines start with each word; those without one under the empty word."""
+    at: defaultdict[bytes, list[int]] = defaultdict(list)
+    for i, line in enumerate(lines):
+        at[(line.split(None, 1) or [b""])[0]].append(i)
+    return at
 
 
 def _bare(line: bytes) -> bytes:

@@ -1,28 +1,18 @@
-"""PLY files, text and binary: the vertex and face elements of any well-formed header."""
+"""Reading PLY files: the vertex and face elements of any well-formed header."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from solver.errors import MeshError
-from solver.mesh.formats.ply_body import BinaryBody, Body, TextBody
-from solver.mesh.formats.ply_header import Element, read_header
+from solver.mesh.formats.format import FileContent
+from solver.mesh.formats.ply.body import BinaryBody, Body, TextBody
+from solver.mesh.formats.ply.header import Element, read_header
 from solver.mesh.polygons import Polygons
 from solver.types import FloatArray
 
-_HEADER = b"""ply
-format binary_little_endian 1.0
-element vertex %d
-property double x
-property double y
-property double z
-element face %d
-property list %b int vertex_indices
-end_header
-"""
 
-
-def read_ply(data: bytes, name: str) -> tuple[FloatArray, Polygons]:
+def read_ply(data: bytes, name: str) -> FileContent:
     """Vertices and polygons. Raises MeshError naming what is wrong, with its line or number."""
     header = read_header(data, name)
     body: Body
@@ -38,24 +28,7 @@ def read_ply(data: bytes, name: str) -> tuple[FloatArray, Polygons]:
         else:
             body.skip(element)
     _check_faces(polygons, len(V), name)
-    return V, polygons
-
-
-def write_ply(X: FloatArray, polygons: Polygons) -> bytes:
-    """Binary, float64: every position reads back the same."""
-    wide = bool((polygons.sizes > 255).any())
-    count = np.dtype("<i4" if wide else "<u1")
-    head = _HEADER % (len(X), len(polygons.sizes), b"int" if wide else b"uchar")
-    # Each face is its count followed by its vertices, laid out byte by byte.
-    lengths = count.itemsize + 4 * polygons.sizes
-    starts = np.cumsum(lengths) - lengths
-    faces = np.zeros(int(lengths.sum()), dtype=np.uint8)
-    sizes = polygons.sizes.astype(count).view(np.uint8).reshape(-1, count.itemsize)
-    faces[starts[:, None] + np.arange(count.itemsize)] = sizes
-    at = np.repeat(starts + count.itemsize - 4 * polygons.starts, polygons.sizes)
-    at += 4 * np.arange(len(polygons.corners))
-    faces[at[:, None] + np.arange(4)] = polygons.corners.astype("<i4").view(np.uint8).reshape(-1, 4)
-    return head + X.astype("<f8").tobytes() + faces.tobytes()
+    return FileContent(V, polygons)
 
 
 def _vertices(body: Body, element: Element, name: str) -> FloatArray:

@@ -1,3 +1,5 @@
+"""Reading OBJ files: every way to write one, and what is refused."""
+
 from __future__ import annotations
 
 from pathlib import Path

@@ -1,0 +1,58 @@
+"""What a mesh file format is: a function that reads bytes and one that writes them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+from solver.mesh.polygons import Polygons
+from solver.types import FloatArray, IntArray
+
+
+@dataclass(frozen=True, eq=False)
+class FileContent:
+    """What a mesh file holds.
+
+    vertices: (n, 3) float64 in file order.  polygons: the faces over them.
+    extras: what else is in it that saving keeps, in plain words, and how many of each.
+    source: what its format needs to write that back, None where it keeps nothing.
+    """
+
+    vertices: FloatArray
+    polygons: Polygons
+    extras: Mapping[str, int] = field(default_factory=dict)
+    source: object = None
+
+
+@dataclass(frozen=True, eq=False)
+class DeformedSurface:
+    """What is to be written: a surface at rest and deformed, and the file it came from.
+
+    rest, positions: (n, 3) before and after.  polygons: its faces.  triangle_corners: (m, 3) the
+    corners of `polygons` that each triangle takes.
+    source: of the file the surface was read from. A format knows its own and ignores any other.
+    """
+
+    rest: FloatArray
+    positions: FloatArray
+    polygons: Polygons
+    triangle_corners: IntArray
+    source: object = None
+
+    @property
+    def triangles(self) -> IntArray:
+        """(m, 3) vertices of each triangle."""
+        return self.polygons.corners[self.triangle_corners]
+
+
+@dataclass(frozen=True)
+class Format:
+    """One file format.
+
+    read: from the bytes of a file and its path. Raises MeshError, in one line that starts with the
+    path and names the place, where they do not hold a surface.
+    write: to the bytes of a file.
+    """
+
+    read: Callable[[bytes, str], FileContent]
+    write: Callable[[DeformedSurface], bytes]
