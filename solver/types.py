@@ -1,4 +1,4 @@
-"""Array types used in every signature."""
+"""Types of NumPy arrays, for signatures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a person can ask for, as data. What each does stands in actions.py and files.py."""
+"""What a person can ask for, as data; actions.py and file_actions.py do it."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ MAX_DABS = 32  # the most dabs put into one frame of a fast stroke
 class Brush:
     """radius: as a fraction of the mesh's diagonal. strength, value: of softness, in [0, 1].
 
-    mode: a name in soft_strokes.SOFTNESS_MODES, what a softness stroke does with both.
+    mode: a name in softness_strokes.SOFTNESS_MODES, what a softness stroke does with both.
     """
 
     radius: float = 0.03

@@ -1,4 +1,4 @@
-"""How far the surface on screen is from its rest shape, vertex by vertex, and its rms."""
+"""Heat maps: how far the surface on screen is from its rest shape, at each vertex and as rms."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ def reconstruct(
     seed_frame: ArrayLike | None = None,
     seed_position: ArrayLike | None = None,
 ) -> FloatArray:
-    """X, (n, 3): argmin l^2 E_f + E_x with one frame and one position held.
+    """X, (n, 3): argmin l^2 E_f + E_x with one orthonormal frame and one position held.
 
     F: (m, 3) triangles.  forms: their lengths and dihedral angles; nothing else of the surface
     is used.  seed_frame: (3, 3) orthonormal columns (first edge, normal x first edge, normal) of

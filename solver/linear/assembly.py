@@ -1,4 +1,4 @@
-"""From weights on elements to entries of K: where they stand, once, and what they are, often."""
+"""Assembly of the energy's matrix K: its sparsity pattern, made once, and its entries, often."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The rotation a dragged handle takes by itself, in closed form."""
+"""The rotation of a dragged handle that costs the least energy, in closed form."""
 
 from __future__ import annotations
 

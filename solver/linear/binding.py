@@ -1,4 +1,4 @@
-"""Everything between a surface with its constraints and a surface that can be dragged."""
+"""One bind of a rest surface: its constraints, its factorised system, the basis of its drags."""
 
 from __future__ import annotations
 

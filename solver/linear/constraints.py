@@ -1,4 +1,4 @@
-"""Which rows of the system are held, and by which handle."""
+"""Hard constraints: which rows of the system are held, and by which handle."""
 
 from __future__ import annotations
 

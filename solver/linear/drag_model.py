@@ -1,4 +1,4 @@
-"""A drag without a solve: everything `pose` and `orient` need, and nothing that solves."""
+"""A drag without a solve: poses from the basis, for a process that never factorises."""
 
 from __future__ import annotations
 

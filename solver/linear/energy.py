@@ -1,7 +1,7 @@
 """The quadratic energies E = l^2 E_f + E_x as weights on a mesh's elements.
 
 Both forms act on U (n + 3m, 3): n positions, then three rows for each triangle, row k being
-column k of the triangle's frame f_t (from the forms) or of its deformation G_t (from rest).
+column k of the triangle's orthonormal frame f_t (from the forms) or of its frame G_t (from rest).
 The world axes decouple: one matrix, three right-hand sides, E = 1/2 tr(U' K U).
 """
 

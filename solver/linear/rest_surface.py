@@ -1,4 +1,4 @@
-"""The rest surface as every solver of one mesh shares it."""
+"""The rest surface in normalised units: connectivity, energy and elimination order."""
 
 from __future__ import annotations
 

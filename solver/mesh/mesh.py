@@ -1,4 +1,4 @@
-"""What a valid mesh is: a surface read from a file or from arrays, and saved with new positions."""
+"""The Mesh: polygons and their triangles, from a file or arrays, saved with new positions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Normals that turn with the surface they belong to."""
+"""Normals of a mesh file, turned with the triangles that use them."""
 
 from __future__ import annotations
 

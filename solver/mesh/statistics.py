@@ -1,4 +1,4 @@
-"""What a mesh is and what is unusual about it."""
+"""Mesh statistics: counts of elements, components, boundaries and flaws."""
 
 from __future__ import annotations
 

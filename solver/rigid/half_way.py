@@ -1,4 +1,4 @@
-"""Half-way motions of handles: where large turns make linear frames ambiguous, theirs are not."""
+"""Half-way screw motions of handles: a large turn makes linear frames ambiguous, half does not."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From softness painted on vertices to gains on edges, and smooth softness from a few values."""
+"""Materials: from softness painted on vertices to the gains of edges on bending and stretching."""
 
 from __future__ import annotations
 
