@@ -11,6 +11,7 @@ from typing import NoReturn
 from app.bundled import DEFAULT_SESSION
 from app.graphics import loading
 from solver.errors import SolverError
+from solver.mesh.formats.table import FORMATS
 
 USAGE_ERROR = 2
 WINDOW_HELP = """\
@@ -48,7 +49,8 @@ def _window(arguments: Sequence[str]) -> None:
         epilog=WINDOW_HELP,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("mesh", nargs="?", type=Path, metavar="MESH", help="OBJ, OFF, PLY or STL")
+    mesh_help = f"a mesh file ({', '.join(FORMATS)})"
+    parser.add_argument("mesh", nargs="?", type=Path, metavar="MESH", help=mesh_help)
     parser.add_argument("--session", type=Path, metavar="FILE", help="a session file (.json)")
     parser.add_argument("--export", type=Path, metavar="FILE", help="where Ctrl+E saves the mesh")
     options = parser.parse_args(arguments)

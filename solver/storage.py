@@ -64,4 +64,4 @@ def _replace(target: Path, data: bytes) -> None:
 
 def _reason(error: OSError | ValueError) -> str:
     """What went wrong, without the path that the caller already names."""
-    return getattr(error, "strerror", None) or str(error)
+    return (isinstance(error, OSError) and error.strerror) or str(error)

@@ -44,16 +44,9 @@ def fundamental_forms(V: ArrayLike, F: ArrayLike) -> FundamentalForms:
     edges = topology.edges
     lengths = np.linalg.norm(V[edges[:, 1]] - V[edges[:, 0]], axis=1)
     angles = np.full(len(edges), np.nan)
-    pairs = manifold_pairs(topology)
+    pairs = topology.manifold_pairs
     angles[pairs.edge] = _dihedral_angles(V, topology, pairs)
     return FundamentalForms(edges, lengths, angles)
-
-
-def manifold_pairs(topology: Topology) -> FacePairs:
-    """The neighbours across edges with exactly two triangles: those with a dihedral angle."""
-    pairs = topology.pairs
-    keep = pairs.valence == 2
-    return FacePairs(*(getattr(pairs, name)[keep] for name in FacePairs.__dataclass_fields__))
 
 
 def corner_points(lengths: FloatArray) -> FloatArray:

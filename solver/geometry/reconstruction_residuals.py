@@ -9,7 +9,6 @@ from solver.geometry.cotangent_weights import rest_weights
 from solver.geometry.fundamental_forms import (
     FundamentalForms,
     corner_points,
-    manifold_pairs,
     transitions,
 )
 from solver.geometry.topology import HALF_EDGE_END, HALF_EDGE_START, FacePairs, Topology
@@ -26,7 +25,7 @@ def reconstruction_residuals(
     D: (3p + 3m, n + 3m), the equations of all neighbours, then of all half-edges.
     The sums of the paper's equations 5 and 6, with the signs of its linear system mended.
     """
-    pairs = manifold_pairs(topology)
+    pairs = topology.manifold_pairs
     half_lengths = forms.lengths[topology.half_edge_edge]
     weights = rest_weights(half_lengths, pairs)
     bend = _frame_differences(topology, transitions(topology, forms, pairs), pairs)

@@ -37,6 +37,11 @@ class FacePairs:
     edge: IntArray
     valence: IntArray
 
+    def where(self, keep: BoolArray) -> FacePairs:
+        """The rows of `keep`, (p,)."""
+        ends = self.first[keep], self.second[keep], self.half_first[keep], self.half_second[keep]
+        return FacePairs(*ends, self.edge[keep], self.valence[keep])
+
 
 class Topology:
     """Edges and neighbours of `faces` (m, 3) over `vertex_count` vertices.
@@ -77,6 +82,11 @@ class Topology:
         one, two = one[distinct], two[distinct]
         edge = edge_of[one]
         return FacePairs(one // 3, two // 3, one % 3, two % 3, edge, self.valence[edge])
+
+    @cached_property
+    def manifold_pairs(self) -> FacePairs:
+        """The pairs across edges with exactly two triangles: those with a dihedral angle."""
+        return self.pairs.where(self.pairs.valence == 2)
 
     @cached_property
     def links(self) -> IntArray:

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sp
 
-from solver.geometry.fundamental_forms import manifold_pairs
 from solver.geometry.topology import Topology
 from solver.types import BoolArray, FloatArray, IntArray
 
@@ -36,7 +35,7 @@ class Distortion:
 
     def __init__(self, V: FloatArray, F: IntArray) -> None:
         topology = Topology(F, len(V))
-        pairs = manifold_pairs(topology)
+        pairs = topology.manifold_pairs
         self.edges = topology.edges
         self.hinges = topology.edges[pairs.edge]
         self._faces = F

@@ -83,7 +83,7 @@ class Mesh:
 
 
 def load_mesh(path: str | os.PathLike[str]) -> Mesh:
-    """Read an OBJ, OFF, PLY or STL file.
+    """Read a mesh file; its suffix says in which format of `formats.table`.
 
     Raises FileError where the file cannot be read and MeshError, in one line that names the place,
     where it does not hold a surface.

@@ -9,7 +9,6 @@ from solver import MeshError, fundamental_forms
 from solver.geometry.frames import triangle_frames
 from solver.geometry.fundamental_forms import (
     corner_points,
-    manifold_pairs,
     transitions,
 )
 from solver.geometry.topology import Topology
@@ -89,7 +88,7 @@ def test_an_edge_with_three_triangles_has_no_angle() -> None:
 def test_transitions_take_each_frame_to_its_neighbour(surface: Surface) -> None:
     V, F = surface
     topology = Topology(F, len(V))
-    pairs = manifold_pairs(topology)
+    pairs = topology.manifold_pairs
     R = transitions(topology, fundamental_forms(V, F), pairs)
     f = triangle_frames(V[F]).axes
     np.testing.assert_allclose(f[pairs.first] @ R, f[pairs.second], atol=1e-9)

@@ -17,7 +17,6 @@ from solver.geometry.cotangent_weights import (
     stretching_weights,
 )
 from solver.geometry.frames import triangle_frames
-from solver.geometry.fundamental_forms import manifold_pairs
 from solver.geometry.laplacian import cotangent_laplacian
 from solver.geometry.reconstruction_residuals import reconstruction_residuals
 from solver.geometry.topology import Topology
@@ -201,4 +200,4 @@ def test_manifold_pairs_are_those_with_two_triangles() -> None:
     V, F = three_leaves()
     topology = Topology(F, len(V))
     assert len(topology.pairs.first) == 4  # three around the common edge, one beside
-    assert topology.edges[manifold_pairs(topology).edge].tolist() == [[1, 2]]
+    assert topology.edges[topology.manifold_pairs.edge].tolist() == [[1, 2]]
