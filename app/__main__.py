@@ -1,4 +1,4 @@
-"""The command line: python -m app ..."""
+"""The command line: python -m app ..., or surface-deformation ... where it is installed."""
 
 from __future__ import annotations
 
@@ -14,6 +14,8 @@ from solver.errors import SolverError
 from solver.mesh.formats.table import FORMATS
 
 USAGE_ERROR = 2
+COMMAND = "surface-deformation"
+PROGRAM = COMMAND if Path(sys.argv[0]).stem == COMMAND else "python -m app"
 WINDOW_HELP = """\
 other commands (each has --help):
   deform MESH --session FILE -o OUT [--rigid K]   pose a mesh as a session says; no window
@@ -37,14 +39,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
         else:
             _window(arguments)
     except (SolverError, OSError) as error:
-        print(f"python -m app: {error}", file=sys.stderr)
+        print(f"{PROGRAM}: {error}", file=sys.stderr)
         return USAGE_ERROR
     return 0
 
 
 def _window(arguments: Sequence[str]) -> None:
     parser = _Parser(
-        prog="python -m app",
+        prog=PROGRAM,
         description="Open a mesh or a session in a window: paint, drag, save.",
         epilog=WINDOW_HELP,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -64,7 +66,7 @@ def _window(arguments: Sequence[str]) -> None:
 
 def _deform(arguments: Sequence[str]) -> None:
     parser = _Parser(
-        prog="python -m app deform", description="Pose a mesh as a session says, without a window."
+        prog=f"{PROGRAM} deform", description="Pose a mesh as a session says, without a window."
     )
     parser.add_argument("mesh", type=Path, metavar="MESH")
     parser.add_argument("--session", type=Path, metavar="FILE", required=True)
@@ -78,7 +80,7 @@ def _deform(arguments: Sequence[str]) -> None:
 
 def _info(arguments: Sequence[str]) -> None:
     parser = _Parser(
-        prog="python -m app info", description="What a mesh is and what is wrong with it."
+        prog=f"{PROGRAM} info", description="What a mesh is and what is wrong with it."
     )
     parser.add_argument("mesh", type=Path, metavar="MESH")
     options = parser.parse_args(arguments)
@@ -101,7 +103,7 @@ def _figures(arguments: Sequence[str]) -> None:
 
 def _folder(command: str, description: str, arguments: Sequence[str]) -> Path:
     """The folder of `-o DIR`, made if its parent is there."""
-    parser = _Parser(prog=f"python -m app {command}", description=description)
+    parser = _Parser(prog=f"{PROGRAM} {command}", description=description)
     parser.add_argument("-o", "--output", type=Path, metavar="DIR", required=True)
     folder: Path = parser.parse_args(arguments).output
     try:
