@@ -16,6 +16,14 @@ def grid_triangles(index: IntArray) -> IntArray:
     return np.concatenate((one.reshape(-1, 3), two.reshape(-1, 3)))
 
 
+def regular_triangles(index: IntArray) -> IntArray:
+    """Triangles of an (r, c) array of vertex numbers, all diagonals one way."""
+    a, b, c, d = (
+        i.ravel() for i in (index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:])
+    )
+    return np.concatenate((np.stack((a, b, c), axis=1), np.stack((a, c, d), axis=1)))
+
+
 def bar(length: float = 4.0, side: float = 0.5, across: int = 8) -> tuple[FloatArray, IntArray]:
     """A box along x with a square section, cut into `across` cells across and cubes along."""
     counts = np.array([round(length / side * across), across, across])

@@ -1,9 +1,9 @@
-"""Medians and tables."""
+"""Median times of tasks."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from statistics import median
 
@@ -43,15 +43,3 @@ def medians(tasks: Mapping[str, Task], rounds: int) -> dict[str, float]:
     """
     times = [{name: task.seconds() for name, task in tasks.items()} for _ in range(rounds)]
     return {name: median(row[name] for row in times) for name in tasks}
-
-
-def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A Markdown table, columns aligned."""
-    widths = [max(len(cell) for cell in column) for column in zip(head, *rows, strict=True)]
-    lines = [head, ["-" * width for width in widths], *rows]
-    return "\n".join(
-        "| "
-        + " | ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True))
-        + " |"
-        for line in lines
-    )

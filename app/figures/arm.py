@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from solver import Deformer, Mesh, fundamental_forms
+from solver.geometry.motions import rotation_about
 from solver.types import BoolArray, FloatArray, IntArray
 
 # Along x, in world units: where the fixed part ends, the elbow is, and the hand begins.
@@ -66,8 +67,4 @@ class Arm:
 
 def turn(degrees: float, centre: FloatArray) -> FloatArray:
     """(4, 4): the hand up and in, about the fold's axis through `centre`."""
-    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
-    T = np.eye(4)
-    T[:2, :2] = [[c, -s], [s, c]]
-    T[:3, 3] = centre - T[:3, :3] @ centre
-    return T
+    return rotation_about(np.eye(3)[FOLD_AXIS], degrees, centre)

@@ -12,6 +12,7 @@ from app.figures.measures import ArmMeasures, Numbers
 from app.workspace.brush import falloff
 from app.workspace.color_maps import FIXED_COLOR, viridis
 from solver import Deformer, interpolate_softness
+from solver.geometry.motions import moved
 from solver.geometry.procrustes import rigid_motion
 from solver.softness.checks import check_softness
 from solver.types import BoolArray, FloatArray
@@ -149,8 +150,7 @@ def _grip(arm: Arm, weights: FloatArray, T: FloatArray, X: FloatArray) -> Number
     rest, now = arm.V[held], X[held]
     J, root = np.column_stack([rest, np.ones(len(rest))]), np.sqrt(weights[held])[:, None]
     fit = np.linalg.lstsq(root * J, root * now, rcond=None)[0]
-    R = rigid_motion(rest, now)
-    apart = np.linalg.norm(rest @ R[:3, :3].T + R[:3, 3] - now, axis=1)
+    apart = np.linalg.norm(moved(rigid_motion(rest, now), rest) - now, axis=1)
     cosine = np.clip((np.trace(T[:3, :3]) - 1) / 2, -1, 1)
     return {
         "grabbed": int(held.sum()),

@@ -11,6 +11,8 @@ from app.figures.arm import JOINT, REACH, SHOULDER, WRIST, Arm, Gains, turn
 from app.figures.figure import Figure, plain, regions, soft
 from app.figures.measures import ArmMeasures, Numbers
 from solver import PRESETS, fundamental_forms, reconstruct
+from solver.geometry.frames import triangle_frames
+from solver.geometry.motions import moved, rotation
 from solver.geometry.procrustes import rigid_motion
 from solver.types import FloatArray
 
@@ -57,41 +59,27 @@ def _original(arm: Arm) -> Figure:
 
 def _reconstruction(arm: Arm) -> Figure:
     middle = 0.5 * (arm.V.min(axis=0) + arm.V.max(axis=0))
-    R = turn(30.0, middle)[:3, :3] @ _about_y(40.0)
+    R = turn(30.0, middle)[:3, :3] @ rotation([0, 1, 0], 40.0)
     X = reconstruct(
         arm.F,
         fundamental_forms(arm.V, arm.F),
-        seed_frame=R @ _first_frame(arm),
+        seed_frame=R @ triangle_frames(arm.V[arm.F[:1]]).axes[0],
         seed_position=R @ (arm.V[arm.F[0, 0]] - middle) + middle,
     )
     size = float(np.linalg.norm(np.ptp(arm.V, axis=0)))
-    fit = rigid_motion(arm.V, X)
-    apart = np.linalg.norm(arm.V @ fit[:3, :3].T + fit[:3, 3] - X, axis=1).max() / size
-    moved = np.linalg.norm(X - arm.V, axis=1).max() / size
+    apart = np.linalg.norm(moved(rigid_motion(arm.V, X), arm.V) - X, axis=1).max() / size
+    away = np.linalg.norm(X - arm.V, axis=1).max() / size
     return Figure(
         "05",
         "Reconstructed from its fundamental forms",
         "Rebuilt from edge lengths and dihedral angles alone, from another seed frame and "
-        f"position. It lies elsewhere (by up to {moved:.2f} diagonals) and is the same surface: "
+        f"position. It lies elsewhere (by up to {away:.2f} diagonals) and is the same surface: "
         f"after rigid alignment no vertex is further off than {apart:.1e} diagonals.",
         X,
         plain(arm),
         "figure",
-        {"moved": float(moved), "distance_after_alignment": float(apart)},
+        {"moved": float(away), "distance_after_alignment": float(apart)},
     )
-
-
-def _first_frame(arm: Arm) -> FloatArray:
-    """(3, 3): first edge, normal x first edge, normal of the first triangle, as columns."""
-    a, b, c = arm.V[arm.F[0]]
-    along, normal = b - a, np.cross(b - a, c - a)
-    along, normal = along / np.linalg.norm(along), normal / np.linalg.norm(normal)
-    return np.column_stack([along, np.cross(normal, along), normal])
-
-
-def _about_y(degrees: float) -> FloatArray:
-    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
-    return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
 
 
 def _handles(arm: Arm) -> Figure:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from solver.geometry.cross_products import cross
 from solver.types import FloatArray
 
 NEWTON_STEPS = 12
@@ -20,7 +21,7 @@ def nearest_rotations(A: FloatArray) -> FloatArray:
     its gradient in A. [Horn 1987; Higham & Noferini 2016]
     """
     a = np.ascontiguousarray(np.moveaxis(A, 0, -1))  # (3, 3, m): arithmetic on whole columns
-    cof = np.stack([_cross(a[1], a[2]), _cross(a[2], a[0]), _cross(a[0], a[1])])
+    cof = np.stack([cross(a[1], a[2]), cross(a[2], a[0]), cross(a[0], a[1])])
     s, t = (a**2).sum(axis=(0, 1)), (cof**2).sum(axis=(0, 1))
     d = (a[0] * cof[0]).sum(axis=0)
     x = np.sqrt(3.0 * s)  # an upper bound, from which Newton's steps descend to the root
@@ -37,13 +38,6 @@ def nearest_rotations(A: FloatArray) -> FloatArray:
     return R
 
 
-def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
-    """u x v along the first axis; np.cross is slower along any but the last."""
-    return np.stack(
-        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-    )
-
-
 def _nearest_by_svd(A: FloatArray) -> FloatArray:
     U, _, Vt = np.linalg.svd(A)
     U[:, :, 2] *= np.sign(np.linalg.det(U) * np.linalg.det(Vt))[:, None]
@@ -55,15 +49,15 @@ def turned(rows: FloatArray, w: FloatArray) -> FloatArray:
     """Each row v of rows (m, 3, 3) as exp([w]) v: turned about w (m, 3) by |w| radians."""
     v, axis = _columns(rows), np.ascontiguousarray(w.T)[:, None, :]
     angle = np.sqrt((axis**2).sum(axis=0))
-    once = _cross(axis, v)
-    twice = _cross(axis, once)
+    once = cross(axis, v)
+    twice = cross(axis, once)
     v += np.sinc(angle / np.pi) * once + 0.5 * np.sinc(0.5 * angle / np.pi) ** 2 * twice
     return v.transpose(2, 1, 0)
 
 
 def torques(rows: FloatArray, pull: FloatArray) -> FloatArray:
     """(m, 3) the sum over rows of row x pull: d/dw of <pull, turned(rows, w)> at w = 0."""
-    return np.ascontiguousarray(_cross(_columns(rows), _columns(pull)).sum(axis=1).T)
+    return np.ascontiguousarray(cross(_columns(rows), _columns(pull)).sum(axis=1).T)
 
 
 def _columns(rows: FloatArray) -> FloatArray:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sp
 
+from solver.geometry.cross_products import cross
 from solver.geometry.topology import Topology
 from solver.types import BoolArray, FloatArray, IntArray
 
@@ -77,7 +78,7 @@ class Distortion:
     def _face_normals(self, X: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Unit normals (m, 3), zero where there is no area, and areas (m,)."""
         a, b, c = (X[corner] for corner in self._faces.T)
-        normals = np.cross(b - a, c - a)
+        normals = cross((b - a).T, (c - a).T).T
         double = np.sqrt(np.einsum("ij,ij->i", normals, normals))
         normals /= np.where(double > 0, double, 1.0)[:, None]
         return normals, 0.5 * double
@@ -87,7 +88,7 @@ class Distortion:
         one, two = (normals[side] for side in self._sides)
         along = X[self._along[:, 1]] - X[self._along[:, 0]]
         length = np.sqrt(np.einsum("ij,ij->i", along, along))
-        sine = np.einsum("ij,ij->i", along, np.cross(one, two))
+        sine = np.einsum("ij,ij->i", along, cross(one.T, two.T).T)
         return np.arctan2(sine, length * np.einsum("ij,ij->i", one, two))
 
 

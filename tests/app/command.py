@@ -9,8 +9,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
+from solver.geometry.motions import motion, rotation
 from solver.types import FloatArray
 from tests.app.person import slab
 
@@ -48,10 +47,7 @@ def write_bar() -> None:
 
 def turn() -> FloatArray:
     """A quarter turn about z and a shift."""
-    T = np.eye(4)
-    T[:2, :2] = [[0, -1], [1, 0]]
-    T[:3, 3] = [18.0, 2.0, 1.0]
-    return T
+    return motion(rotation([0, 0, 1], 90), [18.0, 2.0, 1.0])
 
 
 def session(name: str = "bar.json", **changes: Any) -> None:

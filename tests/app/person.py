@@ -17,15 +17,13 @@ from app.worker.requests import Request
 from app.workspace.events import Input, Ray
 from solver import Mesh
 from solver.types import FloatArray, IntArray
+from tests.solver import shapes
 
 
 def sheet(columns: int, rows: int, height: float = 0.0) -> tuple[FloatArray, IntArray]:
     """Unit squares, each two triangles, in the plane z = height."""
-    x, y = np.meshgrid(np.arange(columns + 1.0), np.arange(rows + 1.0))
-    V = np.column_stack([x.ravel(), y.ravel(), np.full(x.size, height)])
-    i = np.arange(x.size).reshape(x.shape)
-    a, b, c, d = (q.ravel() for q in (i[:-1, :-1], i[:-1, 1:], i[1:, 1:], i[1:, :-1]))
-    return V, np.vstack([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+    V, F = shapes.grid(columns + 1, rows + 1)
+    return V + [0, 0, height], F
 
 
 def slab(columns: int, rows: int, thickness: float) -> Mesh:

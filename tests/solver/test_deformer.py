@@ -10,9 +10,10 @@ import pytest
 
 from solver import ConstraintError, Deformer, Material
 from solver.factor import Analysis, analyse
+from solver.geometry.motions import motion, moved, rotation
+from solver.measure.distortion import Distortion
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
-from tests.solver.shapes import motion, moved, rotation
 
 LEVELS = [0, 1, 3]
 rng = np.random.default_rng(0)
@@ -152,10 +153,8 @@ def test_frames_inside_a_handle_take_its_rotation(arm: Case) -> None:
 
 def test_rotations_keep_more_of_the_lengths_than_linear_frames(arm: Case) -> None:
     deformer = arm.deformer(handles=arm.handles[:1], softness=None)
-    edges = np.unique(np.sort(arm.F[:, :2], axis=1), axis=0)
-    linear, rigid = (
-        shapes.edge_strain(deformer.pose(arm.posed[:1], k), arm.V, edges) for k in (0, 1)
-    )
+    distortion = Distortion(arm.V, arm.F)
+    linear, rigid = (distortion.strain(deformer.pose(arm.posed[:1], k)).rms for k in (0, 1))
     assert rigid < linear
 
 

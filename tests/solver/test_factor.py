@@ -14,6 +14,7 @@ import scipy.sparse as sp
 from solver import Deformer, FactorizationError
 from solver.factor import analyse, factorize, superlu, table
 from solver.geometry.laplacian import cotangent_laplacian
+from solver.geometry.motions import motion, rotation
 from tests.solver import shapes
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -95,7 +96,7 @@ def deform() -> list[np.ndarray]:
     left, right = np.flatnonzero(V[:, 0] < 1), np.flatnonzero(V[:, 0] > 7)
     first = Deformer(V, F, left, [right])
     deformer = first.rebind(softness=softness).grab(np.exp(-((V[:, 0] - 4) ** 2)))
-    T = [shapes.motion(shapes.rotation([0, 0, 1], 60), [-1, 2, 0], [8, 0, 0]), np.eye(4)]
+    T = [motion(rotation([0, 0, 1], 60), [-1, 2, 0], [8, 0, 0]), np.eye(4)]
     return [deformer.pose(T), deformer.pose(T, rigid=2), deformer.solve(V[right] + 1)]
 
 

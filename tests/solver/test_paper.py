@@ -14,10 +14,10 @@ import numpy as np
 import pytest
 
 from solver import Deformer, fundamental_forms, load_mesh
+from solver.geometry.motions import motion, moved, rotation
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
 from tests.solver.definition import Definition, stack
-from tests.solver.shapes import motion, moved, rotation
 
 ELBOW, REACH = np.array([12.0, 4.0, 3.0]), 8.0
 BENDING_WEIGHT = 500.0  # the paper's 1000, its w_e being twice ours

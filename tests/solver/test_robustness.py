@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from solver import Deformer, fundamental_forms, interpolate_softness
+from solver.geometry.motions import motion, moved, rotation
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
-from tests.solver.shapes import motion, moved, rotation
 
 V, F = shapes.grid(12, 12)
 LEFT, RIGHT = np.flatnonzero(V[:, 0] == 0), np.flatnonzero(V[:, 0] == 11)

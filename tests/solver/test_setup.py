@@ -9,6 +9,7 @@ import pytest
 
 from solver import Deformer, Material, Setup
 from solver.bound_surface import BoundSurface
+from solver.geometry.motions import motion, rotation
 from solver.surface.embedding import embed
 from tests.solver import shapes
 
@@ -69,7 +70,7 @@ def test_a_rebind_shares_what_is_equal_by_content() -> None:
 
 
 def test_a_deformer_of_a_setup_is_the_deformer_of_its_arguments() -> None:
-    T = shapes.motion(shapes.rotation([0, 0, 1], 40), [1, 0, 0])
+    T = motion(rotation([0, 0, 1], 40), [1, 0, 0])
     expected = Deformer(V, F, ROOT, [TIP], SOFTNESS).pose([T], rigid=1)
     np.testing.assert_array_equal(Deformer.of(V, F, setup()).pose([T], rigid=1), expected)
     rebound = Deformer(V, F, TIP, [ROOT]).rebound(setup())

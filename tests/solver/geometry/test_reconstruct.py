@@ -9,6 +9,7 @@ import pytest
 
 from solver import MeshError, fundamental_forms, load_mesh, reconstruct
 from solver.geometry.frames import triangle_frames
+from solver.geometry.motions import motion, moved
 from tests.solver import shapes
 from tests.solver.geometry.test_forms import SURFACES
 
@@ -45,12 +46,12 @@ def test_forms_return_the_shared_meshes(name: str) -> None:
 def test_the_seed_places_the_surface(name: str) -> None:
     V, F = SURFACES[name]
     rng = np.random.default_rng(1)
-    T = shapes.motion(shapes.random_rotation(rng), 10 * rng.normal(size=3))
+    T = motion(shapes.random_rotation(rng), 10 * rng.normal(size=3))
     face = int(rng.integers(len(F)))
     frame = T[:3, :3] @ triangle_frames(V[F]).axes[face]
-    corner = shapes.moved(T, V[F[face, 0]])
+    corner = moved(T, V[F[face, 0]])
     X = reconstruct(F, fundamental_forms(V, F), face, frame, corner)
-    np.testing.assert_allclose(X, shapes.moved(T, V), atol=1e-8 * shapes.size(V))
+    np.testing.assert_allclose(X, moved(T, V), atol=1e-8 * shapes.size(V))
 
 
 def test_without_a_seed_the_first_corner_is_the_origin_and_its_edge_the_first_axis() -> None:

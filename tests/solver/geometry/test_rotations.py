@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from solver.geometry.motions import rotation
 from solver.geometry.procrustes import procrustes, rigid_fit
 from solver.geometry.rotations import nearest_rotations
 from solver.types import FloatArray
@@ -100,5 +101,5 @@ def test_a_rigid_fit_finds_the_rotation(flatten: list[float]) -> None:
 def test_a_rigid_fit_turns_least_where_points_leave_it_open() -> None:
     np.testing.assert_allclose(rigid_fit(np.ones((1, 3)), np.zeros((1, 3))), np.eye(3), atol=1e-12)
     line = np.outer(np.arange(4.0), [1, 0, 0])
-    R = shapes.rotation([0, 0, 1], 40)
+    R = rotation([0, 0, 1], 40)
     np.testing.assert_allclose(rigid_fit(line, line @ R.T), R, atol=1e-9)

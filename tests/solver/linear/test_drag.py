@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from solver import Deformer
+from solver.geometry.motions import motion, rotation
 from solver.linear.drag_model import DragModel
 from solver.types import FloatArray
 from tests.solver import shapes
-from tests.solver.shapes import motion, rotation
 
 V, F = shapes.tube(16, 8)
 NEAR, FAR, TIP = (np.flatnonzero(mask) for mask in (V[:, 0] < 1, V[:, 0] < 6, V[:, 0] > 7))

@@ -18,6 +18,7 @@ from solver.geometry.cotangent_weights import (
 )
 from solver.geometry.frames import triangle_frames
 from solver.geometry.laplacian import cotangent_laplacian
+from solver.geometry.motions import motion, rotation
 from solver.geometry.reconstruction_residuals import reconstruction_residuals
 from solver.geometry.topology import Topology
 from solver.linear.assembly import deformation_matrix
@@ -105,7 +106,7 @@ def test_the_gradient_vanishes_at_a_pose(orientation: bool) -> None:
     deformer = Deformer(
         V, F, left, [right], orientation=orientation, edge_gains=(edges, beta, sigma)
     )
-    T = shapes.motion(shapes.rotation([1, 2, 3], 70), [0.5, 1, -2], [3, 1, 1])
+    T = motion(rotation([1, 2, 3], 70), [0.5, 1, -2], [3, 1, 1])
     U = stack(deformer.pose([T]), deformer.frames([T]))
     definition = Definition(V, F, resolved(V, F), gains)
     held = [np.isin(F, group).all(axis=1) & orientation for group in (left, right)]

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from solver import ConstraintError, Deformer
+from solver.geometry.motions import motion, moved, rotation
 from solver.types import FloatArray
 from tests.solver import shapes
 from tests.solver.definition import Definition, resolved, stack
-from tests.solver.shapes import motion, moved, rotation
 
 LEVELS = [0, 1, 3]
 V, F = shapes.tube(20, 10)

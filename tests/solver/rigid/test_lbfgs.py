@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from solver.geometry.motions import rotation
 from solver.geometry.rotations import torques, turned
 from solver.rigid.lbfgs import LBFGS
 from solver.types import FloatArray
-from tests.solver.shapes import rotation
 
 rng = np.random.default_rng(5)
 

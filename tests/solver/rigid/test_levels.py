@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from solver import Deformer
+from solver.geometry.motions import motion, moved, rotation
 from solver.geometry.rotations import nearest_rotations
 from solver.linear.assembly import deformation_matrix
 from solver.linear.binding import Binding, bind
@@ -21,7 +22,7 @@ from solver.setup import Setup
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
 from tests.solver.definition import clamp, cotangent
-from tests.solver.shapes import motion, moved, rotation, size
+from tests.solver.shapes import size
 
 V, F = shapes.bumpy_plane(7)
 FIXED = np.flatnonzero(V[:, 0] < 2)

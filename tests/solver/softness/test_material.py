@@ -18,6 +18,7 @@ from solver import (
     interpolate_softness,
 )
 from solver.geometry.laplacian import cotangent_laplacian
+from solver.geometry.motions import motion, rotation
 from solver.geometry.topology import Topology
 from solver.softness.material import as_edge_gains, explicit_gains, resolve_material, softness_gains
 from tests.solver import shapes
@@ -28,7 +29,7 @@ rng = np.random.default_rng(0)
 def bent(V: np.ndarray, F: np.ndarray, **options: Any) -> np.ndarray:
     """A tube along x, its right end turned by 90 degrees."""
     ends = np.flatnonzero(V[:, 0] < 1), np.flatnonzero(V[:, 0] > 7)
-    T = shapes.motion(shapes.rotation([0, 0, 1], 90), [-3, 3, 0], [7, 0, 0])
+    T = motion(rotation([0, 0, 1], 90), [-3, 3, 0], [7, 0, 0])
     return Deformer(V, F, ends[0], [ends[1]], **options).pose([T])
 
 

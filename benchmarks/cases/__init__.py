@@ -1,0 +1,1 @@
+"""Meshes and deformations that benchmarks and tests measure."""

@@ -1,0 +1,1 @@
+"""Quality: the shapes that come out, beside other methods."""

@@ -1,0 +1,1 @@
+"""Resolution: whether softness and bending length mean the same on every mesh."""

@@ -1,0 +1,1 @@
+"""Speed: what a bind and a drag cost, beside other programs."""

@@ -1,0 +1,1 @@
+"""The window: whether it freezes while the solver works."""

@@ -1,0 +1,36 @@
+"""Rotations about an axis and rigid motions, as 3 x 3 and 4 x 4 matrices."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solver.types import FloatArray
+
+ORIGIN = (0.0, 0.0, 0.0)
+
+
+def rotation(axis: ArrayLike, degrees: float) -> FloatArray:
+    """R, (3, 3): right-handed about `axis` (3,), of any length but 0. [Rodrigues 1840]"""
+    x, y, z = u = np.asarray(axis, dtype=np.float64) / np.linalg.norm(axis)
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    return c * np.eye(3) + s * cross + (1.0 - c) * np.outer(u, u)
+
+
+def motion(R: FloatArray, shift: ArrayLike = ORIGIN, centre: ArrayLike = ORIGIN) -> FloatArray:
+    """T, (4, 4): turned by R about the point `centre`, then moved by `shift`."""
+    T = np.eye(4)
+    T[:3, :3] = R
+    T[:3, 3] = np.asarray(centre) - R @ np.asarray(centre) + np.asarray(shift)
+    return T
+
+
+def rotation_about(axis: ArrayLike, degrees: float, centre: ArrayLike = ORIGIN) -> FloatArray:
+    """T, (4, 4): the rotation about the line along `axis` through `centre`."""
+    return motion(rotation(axis, degrees), centre=centre)
+
+
+def moved(T: FloatArray, points: FloatArray) -> FloatArray:
+    """Points (k, 3) where the affine map T (4, 4) takes them."""
+    return np.asarray(points @ T[:3, :3].T + T[:3, 3])
