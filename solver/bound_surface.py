@@ -13,14 +13,13 @@ from solver.arrays import as_floats
 from solver.errors import ConstraintError
 from solver.geometry.procrustes import rigid_motion
 from solver.linear.binding import Binding, bind
-from solver.linear.constraints import FIXED
 from solver.linear.drag_model import DragModel, Transforms
 from solver.linear.grab import Grab, Moments, make_grab
 from solver.linear.response import Response, with_grabs
 from solver.linear.rest_surface import RestSurface
 from solver.rigid.half_way import half_way, squared
 from solver.rigid.levels import RigidLevels
-from solver.setup import Setup
+from solver.setup import FIXED, Setup
 from solver.surface.embedding import Embedding
 from solver.types import FloatArray
 
@@ -41,7 +40,7 @@ class BoundSurface:
     @staticmethod
     def of(embedding: Embedding, setup: Setup) -> BoundSurface:
         """Bound for the first time. Raises ConstraintError or MaterialError."""
-        rest = RestSurface(embedding.vertices, embedding.faces)
+        rest = RestSurface(embedding.vertices, embedding.topology)
         return BoundSurface(embedding, setup, bind(rest, embedding.setup(setup)))
 
     def rebound(self, setup: Setup) -> BoundSurface:
@@ -137,17 +136,19 @@ class BoundSurface:
     def _respond(self, targets: ArrayLike) -> tuple[FloatArray, list[FloatArray]]:
         """Displacement for any targets, and the rigid motion that best fits each handle's."""
         rest, constraints, system = self.rest, self.binding.constraints, self.binding.system
-        handles = constraints.handles
+        shown = self.setup.handles
         X = as_floats(targets, "targets", ConstraintError)
-        count = sum(map(len, handles))
+        count = sum(map(len, shown))
         if X.shape != (count, 3):
             raise ConstraintError(f"targets must be ({count}, 3), got {X.shape}")
         U = np.zeros((rest.row_count, 3))
-        splits = np.cumsum([len(h) for h in handles])[:-1]
-        parts = zip(handles, np.split(X, splits), strict=False)  # no handles: one empty part
+        splits = np.cumsum([len(h) for h in shown])[:-1]
         motions = [np.eye(4)] * self.handle_count
-        for number, (vertices, goal) in enumerate(parts):
+        parts = zip(shown, np.split(X, splits), strict=False)  # no handles: one empty part
+        for number, (named, goals) in enumerate(parts):
+            vertices = constraints.handles[number]
             start = rest.vertices[vertices]
+            goal = self.embedding.targets(named, goals, vertices)
             motions[number] = rigid_motion(start, goal)
             held = constraints.row_group == 1 + number
             U[held] = rest.affine_rows[held, :3] @ (motions[number][:3, :3].T - np.eye(3))

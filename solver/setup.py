@@ -9,10 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solver.arrays import as_floats, as_integers, locked
-from solver.errors import MaterialError
+from solver.arrays import as_floats, as_indices, as_integers, locked
+from solver.errors import ConstraintError, MaterialError
 from solver.softness.material import EdgeGains, Material, as_edge_gains, resolve_material
 from solver.types import FloatArray, IntArray
+
+FREE = -1
+FIXED = 0  # handle number h is group 1 + h
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -71,6 +74,20 @@ class Setup:
         names = ("fixed", "handles", "orientation")
         return all(_same(getattr(self, name), getattr(other, name)) for name in names)
 
+    def groups(self, vertex_count: int) -> IntArray:
+        """(n,) FREE, FIXED or 1 + h for each vertex of a mesh.
+
+        Raises ConstraintError for an index out of range, an empty handle, or a vertex with two
+        roles.
+        """
+        n = vertex_count
+        handles = [as_indices(h, n, f"handle {number}") for number, h in enumerate(self.handles)]
+        group = np.full(n, FREE, dtype=np.int64)
+        group[as_indices(self.fixed, n, "fixed")] = FIXED
+        for number, vertices in enumerate(handles):
+            _claim(group, vertices, number)
+        return group
+
     def changed(self, **changes: Any) -> Setup:
         """Another one with some values replaced.
 
@@ -81,6 +98,19 @@ class Setup:
         elif "softness" in changes or "material" in changes:
             changes = {"edge_gains": None, **changes}
         return Setup(**{f.name: getattr(self, f.name) for f in fields(self)} | changes)
+
+
+def _claim(group: IntArray, vertices: IntArray, number: int) -> None:
+    if len(vertices) == 0:
+        raise ConstraintError(f"handle {number} has no vertices")
+    if len(np.unique(vertices)) != len(vertices):
+        raise ConstraintError(f"handle {number} names a vertex twice")
+    taken = vertices[group[vertices] != FREE]
+    if len(taken):
+        other = group[taken[0]]
+        name = "fixed" if other == FIXED else f"in handle {other - 1}"
+        raise ConstraintError(f"vertex {taken[0]} is both {name} and in handle {number}")
+    group[vertices] = 1 + number
 
 
 def _as_length(length: float) -> float:

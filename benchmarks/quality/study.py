@@ -30,7 +30,7 @@ class Study:
 
     def __init__(self, case: Case, bending_gain: float = 0.1) -> None:
         material = Material(bending_gain, 1.0)
-        rest = RestSurface(case.V, case.F)
+        rest = RestSurface.of(case.V, case.F)
         self._binding = bind(rest, Setup(case.fixed, case.handles, case.softness, material))
         deformer = case.deformer(material=material)
         X = rest.normalise(deformer.pose(case.transforms))

@@ -41,7 +41,7 @@ def bind(rest: RestSurface, setup: Setup, earlier: Binding | None = None) -> Bin
     if earlier is not None and setup.holds_as(earlier.setup):
         constraints, structure = earlier.constraints, earlier.structure
     else:
-        constraints = build_constraints(rest, setup.fixed, setup.handles, setup.orientation)
+        constraints = build_constraints(rest, setup)
         structure = Structure(rest, constraints)
     system = System(rest, structure, rest.energy.weights(length, gains))
     hard = hard_response(rest, constraints, system)

@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from solver.arrays import as_indices
-from solver.errors import ConstraintError
 from solver.linear.rest_surface import RestSurface
+from solver.setup import FREE, Setup
 from solver.types import BoolArray, FloatArray, IntArray
 
-FREE = -1
-FIXED = 0  # handle number h is group 1 + h
 # Held points count as lying in one plane when their thickness is below this share of their extent.
 PLANAR = 1e-3
 
@@ -35,40 +30,20 @@ class Constraints:
     held_components: BoolArray
 
 
-def build_constraints(
-    rest: RestSurface, fixed: ArrayLike, handles: Sequence[ArrayLike], orientation: bool
-) -> Constraints:
-    """Vertices of `fixed` and `handles` are held; so are their triangles' frames if `orientation`.
+def build_constraints(rest: RestSurface, setup: Setup) -> Constraints:
+    """Fixed vertices and handles are held; so are their triangles' frames if `orientation`.
 
-    Raises ConstraintError for an index out of range, an empty handle, or a vertex with two roles.
+    Raises ConstraintError, see Setup.groups.
     """
-    n = len(rest.vertices)
-    named = tuple(as_indices(h, n, f"handle {i}") for i, h in enumerate(handles))
-    group = np.full(n, FREE, dtype=np.int64)
-    group[as_indices(fixed, n, "fixed")] = FIXED
-    for number, vertices in enumerate(named):
-        _claim(group, vertices, number)
+    group = setup.groups(len(rest.vertices))
     component = rest.topology.vertex_component
     held = np.zeros(component.max() + 1, dtype=bool)
     held[component[group != FREE]] = True
-    oriented = group != FREE if orientation else _underdetermined(rest, group)
+    oriented = group != FREE if setup.orientation else _underdetermined(rest, group)
     face_group = _face_groups(rest, group, oriented)
     row_group = rest.rows(group, face_group)
     free = np.flatnonzero((row_group == FREE) & held[rest.row_component])
-    return Constraints(named, row_group, free, held)
-
-
-def _claim(group: IntArray, vertices: IntArray, number: int) -> None:
-    if len(vertices) == 0:
-        raise ConstraintError(f"handle {number} has no vertices")
-    if len(np.unique(vertices)) != len(vertices):
-        raise ConstraintError(f"handle {number} names a vertex twice")
-    taken = vertices[group[vertices] != FREE]
-    if len(taken):
-        other = group[taken[0]]
-        name = "fixed" if other == FIXED else f"in handle {other - 1}"
-        raise ConstraintError(f"vertex {taken[0]} is both {name} and in handle {number}")
-    group[vertices] = 1 + number
+    return Constraints(setup.handles, row_group, free, held)
 
 
 def _pieces(rest: RestSurface, group: IntArray) -> IntArray:

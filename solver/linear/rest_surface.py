@@ -21,14 +21,19 @@ class RestSurface:
     vertices, faces: as given.  points: (n, 3) the same vertices in normalised units.
     """
 
-    def __init__(self, vertices: FloatArray, faces: IntArray) -> None:
+    def __init__(self, vertices: FloatArray, topology: Topology) -> None:
         self.vertices = vertices
-        self.faces = faces
-        self.topology = Topology(self.faces, len(self.vertices))
+        self.topology = topology
+        self.faces = topology.faces
         low, high = self.vertices.min(axis=0), self.vertices.max(axis=0)
         self.centre: FloatArray = 0.5 * (low + high)
         self.scale = float(np.linalg.norm(high - low)) or 1.0  # all vertices in one point
         self.points: FloatArray = (self.vertices - self.centre) / self.scale
+
+    @staticmethod
+    def of(vertices: FloatArray, faces: IntArray) -> RestSurface:
+        """From triangles alone."""
+        return RestSurface(vertices, Topology(faces, len(vertices)))
 
     @property
     def row_count(self) -> int:

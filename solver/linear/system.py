@@ -8,8 +8,9 @@ import scipy.sparse as sp
 from solver.factor import Analysis, Factor, analyse
 from solver.geometry.cotangent_weights import ElementWeights
 from solver.linear.assembly import Pattern, symmetric
-from solver.linear.constraints import FIXED, Constraints
+from solver.linear.constraints import Constraints
 from solver.linear.rest_surface import RestSurface
+from solver.setup import FIXED
 from solver.types import BoolArray, FloatArray, IntArray
 
 

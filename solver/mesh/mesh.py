@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from solver.errors import MeshError
+from solver.geometry.welding import pieces
 from solver.mesh.formats.format import DeformedSurface, FileContent, Format
 from solver.mesh.formats.table import FORMATS
 from solver.mesh.polygons import Polygons, triangulate
@@ -55,6 +56,12 @@ class Mesh:
             last = len(vertices) - 1
             raise MeshError(f"face {face} names vertex {vertex}, but they go from 0 to {last}")
         return _build(FileContent(vertices, polygons), "the mesh")
+
+    @cached_property
+    def pieces(self) -> IntArray:
+        """(n,) the number of the connected piece of each vertex, seams welded, -1 for a vertex
+        that no face uses."""
+        return pieces(self.vertices, self.faces)
 
     @cached_property
     def polygons(self) -> IntArray | list[list[int]]:

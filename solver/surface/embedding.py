@@ -4,7 +4,7 @@
 
 with U the solved surface's positions and frames, and E a sparse operator that reproduces affine
 motions exactly. Constraints, softness and the energy know the solved surface alone; what a person
-touches is the shown mesh. Only this module maps between them.
+touches is the shown mesh. Only this room maps between them.
 """
 
 from __future__ import annotations
@@ -14,7 +14,10 @@ from typing import Protocol
 from numpy.typing import ArrayLike
 
 from solver.arrays import as_faces, as_vertices
+from solver.geometry.topology import Topology
+from solver.geometry.welding import weld
 from solver.setup import Setup
+from solver.surface.seams import Seams
 from solver.types import FloatArray, IntArray
 
 
@@ -22,12 +25,12 @@ class Embedding(Protocol):
     """One shown mesh on one solved surface.
 
     shown: (n', 3) rest positions of the mesh that is shown.
-    vertices, faces: (n, 3) and (m, 3) of the surface that is solved.
+    vertices, topology: of the surface that is solved, (n, 3).
     """
 
     shown: FloatArray
     vertices: FloatArray
-    faces: IntArray
+    topology: Topology
 
     def setup(self, setup: Setup) -> Setup:
         """What the solved surface is bound to where the shown mesh is bound to `setup`."""
@@ -35,28 +38,37 @@ class Embedding(Protocol):
     def weights(self, weights: ArrayLike) -> ArrayLike:
         """(n,) a grab's weights on the solved surface, from those on the shown mesh, (n',)."""
 
+    def targets(self, vertices: IntArray, targets: FloatArray, solved: IntArray) -> FloatArray:
+        """Where a handle's solved vertices (j,) go, (j, 3).
+
+        vertices, targets: (k,) of the shown mesh and (k, 3) where they go.
+        """
+
     def apply(self, rows: FloatArray) -> FloatArray:
         """E rows, (n', k), for a change of U or a basis, (n + 3m, k)."""
 
     def apply_rigid(self, displacement: FloatArray, rotations: FloatArray) -> FloatArray:
         """(n', 3) as `apply`, with rotations in place of frames.
 
-        displacement: (n, 3).  rotations: (m, 3, 3) rows of R' of each triangle.
+        displacement: (n, 3).  rotations: (a, 3, 3) rows of R' of the system's active triangles.
         """
 
 
 class Identity:
     """The mesh that is shown is the surface that is solved. See Embedding."""
 
-    def __init__(self, vertices: FloatArray, faces: IntArray) -> None:
+    def __init__(self, vertices: FloatArray, topology: Topology) -> None:
         self.shown = self.vertices = vertices
-        self.faces = faces
+        self.topology = topology
 
     def setup(self, setup: Setup) -> Setup:
         return setup
 
     def weights(self, weights: ArrayLike) -> ArrayLike:
         return weights
+
+    def targets(self, vertices: IntArray, targets: FloatArray, solved: IntArray) -> FloatArray:
+        return targets
 
     def apply(self, rows: FloatArray) -> FloatArray:
         return rows[: len(self.vertices)]
@@ -66,6 +78,10 @@ class Identity:
 
 
 def embed(V: ArrayLike, F: ArrayLike) -> Embedding:
-    """The embedding of a mesh (n, 3), (m, 3). Raises MeshError."""
+    """The embedding of a mesh (n, 3), (m, 3): its seams are welded. Raises MeshError."""
     vertices = as_vertices(V)
-    return Identity(vertices, as_faces(F, len(vertices)))
+    topology = Topology(as_faces(F, len(vertices)), len(vertices))
+    welded = weld(vertices, topology)
+    if int(welded.max()) + 1 == len(vertices):
+        return Identity(vertices, topology)
+    return Seams(vertices, topology, welded)

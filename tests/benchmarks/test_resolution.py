@@ -68,7 +68,7 @@ def test_the_files_scale_does_not_matter(scale: float) -> None:
 
 def test_a_length_below_an_edge_is_taken_for_an_edge() -> None:
     one = limb("tube", "right", *SIZES[0])
-    shape = RestSurface(one.V, one.F)
+    shape = RestSurface.of(one.V, one.F)
     edge = typical_edge(np.linalg.norm(shape.energy.vectors, axis=2))
     T = [motion(rotation([0, 0, 1], 60))]
     shorter, shortest, equal, longer = (
@@ -95,7 +95,7 @@ def test_a_few_large_triangles_do_not_change_a_typical_edge() -> None:
 
 
 def pair_weights(one: SoftLimb) -> np.ndarray:
-    shape = RestSurface(one.V, one.F)
+    shape = RestSurface.of(one.V, one.F)
     pairs = shape.topology.pairs
     cotangents = half_edge_cotangents(np.linalg.norm(shape.energy.vectors, axis=2))
     return bending_weights(

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from solver import ConstraintError, Deformer
-from solver.linear.constraints import FIXED, FREE, Constraints, build_constraints
+from solver.linear.constraints import Constraints, build_constraints
 from solver.linear.rest_surface import RestSurface
+from solver.setup import FIXED, FREE, Setup
 from tests.solver import shapes
 
 
@@ -17,8 +18,8 @@ def build(
     surface: shapes.Surface, fixed: Any, handles: Any, orientation: bool = True
 ) -> tuple[Constraints, np.ndarray]:
     """The constraints, and the group that holds each triangle's frame."""
-    shape = RestSurface(*surface)
-    constraints = build_constraints(shape, fixed, handles, orientation)
+    shape = RestSurface.of(*surface)
+    constraints = build_constraints(shape, Setup(fixed, handles, orientation=orientation))
     rows = constraints.row_group[len(shape.vertices) :].reshape(-1, 3)
     assert (rows == rows[:, :1]).all()
     return constraints, rows[:, 0]

@@ -70,7 +70,7 @@ def test_the_first_level_is_nearest_rotations_and_their_positions(handle: list[i
 
 def descent(handle: list[int], rounds: int, degrees: float = 80) -> list[State]:
     """The states of some rounds, in diagonals; triangles that nothing strains are at rest."""
-    rest = RestSurface(V, F)
+    rest = RestSurface.of(V, F)
     deformer = Deformer(V, F, FIXED, [handle])
     binding = bind(rest, Setup(fixed=FIXED, handles=[handle]))
     system = binding.system
@@ -93,7 +93,7 @@ def none() -> FloatArray:
 
 def shell_energy(X: FloatArray, R: FloatArray) -> float:
     """X in diagonals, R as rows of its transpose."""
-    rest = RestSurface(V, F)
+    rest = RestSurface.of(V, F)
     ones = np.ones(len(rest.topology.edges))
     K = deformation_matrix(rest.points, rest.topology, ROTATION_LENGTH, (ones, ones))
     U = np.vstack([X, R.reshape(-1, 3)])
@@ -260,7 +260,7 @@ def test_of_all_starts_the_lowest_end_counts(degrees: float, rigid: int) -> None
 def parts(
     P: FloatArray, faces: IntArray, fixed: IntArray, tip: IntArray
 ) -> tuple[RestSurface, Binding, RigidLevels]:
-    rest = RestSurface(P, faces)
+    rest = RestSurface.of(P, faces)
     binding = bind(rest, Setup(fixed=fixed, handles=[tip]))
     length = binding.bending_length
     return rest, binding, RigidLevels(rest, binding.constraints, binding.system, (), length)

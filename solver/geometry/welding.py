@@ -1,0 +1,66 @@
+"""Seams: where a surface is cut into pieces whose boundary edges coincide, it is one surface.
+
+UV seams, hard edges and triangle soups repeat vertices. Two vertices are one where they lie in
+one place and a boundary edge of the one coincides with a boundary edge of the other, so that a
+closed surface that merely touches another stays apart.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from solver.geometry.topology import Topology, components
+from solver.types import FloatArray, IntArray
+
+# Two points are one place when they are nearer than this share of the surface's size.
+COINCIDENT = 1e-9
+
+
+def weld(V: FloatArray, topology: Topology) -> IntArray:
+    """(n,) the number of the welded vertex of each vertex, by first appearance.
+
+    V: (n, 3).  A surface without seams gives arange(n).
+    """
+    count = topology.vertex_count
+    ends = topology.edges[topology.valence == 1]
+    corners, flat = np.unique(ends, return_inverse=True)
+    if len(corners) == 0:
+        return np.arange(count)
+    size = float(np.linalg.norm(np.ptp(V[topology.faces.ravel()], axis=0)))
+    place = _places(V[corners], COINCIDENT * size)[flat.reshape(-1, 2)]
+    # Both edges of a pair from the lower place to the higher one.
+    turned = place[:, 0] > place[:, 1]
+    place, ends = (np.where(turned[:, None], a[:, ::-1], a) for a in (place, ends))
+    proper = place[:, 0] != place[:, 1]
+    place, ends = place[proper], ends[proper]
+    order = np.lexsort(place.T)
+    same = (place[order][1:] == place[order][:-1]).all(axis=1)
+    pairs = np.stack([ends[order][:-1][same], ends[order][1:][same]], axis=2)  # (k, end, side)
+    return components(pairs.reshape(-1, 2), count)
+
+
+def pieces(V: FloatArray, F: IntArray) -> IntArray:
+    """(n,) the number of the connected piece of each vertex, seams welded.
+
+    Pieces are counted by their first vertex; an unreferenced vertex has none: -1.
+    """
+    topology = Topology(F, len(V))
+    welded = weld(V, topology)
+    component = components(welded[topology.edges], len(V))[welded]
+    result = np.full(len(V), -1)
+    used = np.unique(F)
+    _, first, number = np.unique(component[used], return_index=True, return_inverse=True)
+    result[used] = np.argsort(np.argsort(first))[number]
+    return result
+
+
+def _places(points: FloatArray, tolerance: float) -> IntArray:
+    """(k,) a number for each place, the same for points nearer than `tolerance` to each other."""
+    order = np.lexsort(points.T)
+    differs = (points[order][1:] != points[order][:-1]).any(axis=1)
+    place = np.empty(len(points), dtype=np.int64)
+    place[order] = np.concatenate([[0], np.cumsum(differs)])
+    distinct = points[order][np.concatenate([[True], differs])]
+    near = cKDTree(distinct).query_pairs(tolerance, output_type="ndarray")
+    return components(near, len(distinct))[place]
