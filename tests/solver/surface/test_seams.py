@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 
 from solver import ConstraintError, Deformer
+from solver.geometry.motions import motion, rotation
 from solver.geometry.topology import Topology
 from solver.geometry.welding import pieces, weld
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
-from tests.solver.shapes import motion, rotation, size
+from tests.solver.shapes import size
 
 V, F = shapes.tube(24, 12)
 ROOT, TIP = V[:, 0] < 1, V[:, 0] > 7
