@@ -38,6 +38,18 @@ class Deformer:
 
     A connected component without any constraint stays at rest.
     Raises MeshError, ConstraintError or MaterialError. [Wang, Liu & Tong 2012; docs/math.md]
+
+    >>> import solver
+    >>> V = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0]]  # two squares
+    >>> F = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]]
+    >>> deformer = solver.Deformer(V, F, fixed=[0, 3], handles=[[2, 5]])
+    >>> T = np.eye(4)
+    >>> T[:3, 3] = [1, 0, 0]
+    >>> X = deformer.pose([T])
+    >>> X[[0, 1, 2]].round(2)  # the middle follows half-way
+    array([[0. , 0. , 0. ],
+           [1.5, 0. , 0. ],
+           [3. , 0. , 0. ]])
     """
 
     def __init__(
@@ -57,7 +69,12 @@ class Deformer:
 
     @classmethod
     def of(cls, V: ArrayLike, F: ArrayLike, setup: Setup) -> Deformer:
-        """As the constructor, from a record of everything besides the mesh."""
+        """As the constructor, from a record of everything besides the mesh.
+
+        >>> setup = solver.Setup(fixed=[0, 3], handles=[[2, 5]])
+        >>> np.array_equal(solver.Deformer.of(V, F, setup).pose([T]), X)
+        True
+        """
         return _deformer(BoundSurface.of(embed(V, F), setup))
 
     @property
@@ -78,6 +95,11 @@ class Deformer:
         lower energy; 4 is all but settled. docs/quality.md has what they are worth. Where a
         handle turns far they have other starts too, and the lowest end counts (see half_way).
         Raises ConstraintError.
+
+        >>> over = [[-1, 0, 0, 2], [0, 1, 0, 0], [0, 0, -1, 0], [0, 0, 0, 1]]  # half a turn about y
+        >>> deformer.pose([over], rigid=4)[[2, 5]].round(9) + 0.0
+        array([[0., 0., 0.],
+               [0., 1., 0.]])
         """
         return self._bound.posed(transforms, _as_level(rigid))
 
@@ -86,11 +108,18 @@ class Deformer:
 
         One back-substitution. Each handle's frames take the rotation that best fits its targets;
         grabs are held at rest. Raises ConstraintError.
+
+        >>> deformer.solve([[2, 0, 1], [2, 1, 1]])[1].round(2)
+        array([1. , 0. , 0.5])
         """
         return self._bound.solved(targets, _as_level(rigid))
 
     def frames(self, transforms: Transforms) -> FloatArray:
-        """G, (m, 3, 3): the linear frames, rest to deformed; the identity at rest."""
+        """G, (m, 3, 3): the linear frames, rest to deformed; the identity at rest.
+
+        >>> np.allclose(deformer.frames([np.eye(4)]), np.eye(3))
+        True
+        """
         return self._bound.frames(transforms)
 
     def orient(
@@ -105,6 +134,12 @@ class Deformer:
         Among all such rigid motions, the one of least energy while the other handles stay where
         `transforms` puts them: closed form, independent of the size of the mesh. Where nothing
         resists a turn the handle keeps the rotation it has. Raises ConstraintError.
+
+        >>> lifted = deformer.orient(0, [2, 0.5, 0], [1.5, 0.5, 1], [np.eye(4)])
+        >>> (lifted @ [2, 0.5, 0, 1]).round(9)
+        array([1.5, 0.5, 1. , 1. ])
+        >>> np.degrees(np.arcsin(lifted[2, 0])).round(1)  # the end turns up
+        np.float64(17.5)
         """
         return self.drag_model.orient(handle, grabbed, target, transforms)
 
@@ -114,11 +149,19 @@ class Deformer:
         Shares the mesh's connectivity, and the symbolic analysis where the same vertices are
         free. Giving softness or a material drops edge_gains, and the other way round; grabs are
         taken over with their weights. Raises what the constructor raises.
+
+        >>> soft = deformer.rebind(softness=[0, 1, 0, 0, 1, 0], material="clay")
+        >>> soft.setup.material
+        Material(bending=0.1, stretching=0.1)
         """
         return self.rebound(self.setup.changed(**changes))
 
     def rebound(self, setup: Setup) -> Deformer:
-        """A new Deformer bound to `setup`, as `rebind`: what is equal by content is shared."""
+        """A new Deformer bound to `setup`, as `rebind`: what is equal by content is shared.
+
+        >>> np.array_equal(deformer.rebound(deformer.setup).pose([T]), X)
+        True
+        """
         return _deformer(self._bound.rebound(setup))
 
     def grab(self, weights: ArrayLike) -> Deformer:
@@ -127,6 +170,11 @@ class Deformer:
         The weighted best affine fit of the region equals the handle's transform; the region
         itself stays elastic. Costs four back-substitutions on the shared factorisation. Its
         transform comes last in `pose`. Raises ConstraintError.
+
+        >>> middle = deformer.grab([0, 1, 0, 0, 1, 0])
+        >>> middle.pose([np.eye(4), T])[[1, 2]].round(9)
+        array([[2., 0., 0.],
+               [2., 0., 0.]])
         """
         return _deformer(self._bound.grabbed(weights))
 

@@ -27,6 +27,13 @@ class Setup:
 
     fixed: (k,).  handles: one (k,) array each.  softness: (n,) or None.
     Raises ConstraintError (fixed, handles) or MaterialError (the rest).
+
+    >>> import solver
+    >>> setup = solver.Setup(fixed=[0], handles=[[1, 2]])
+    >>> setup == solver.Setup(fixed=np.array([0]), handles=[np.array([1, 2])])
+    True
+    >>> setup.changed(material="clay").material
+    Material(bending=0.1, stretching=0.1)
     """
 
     fixed: IntArray

@@ -26,6 +26,11 @@ class FundamentalForms:
     dihedral_angles: (e,) radians between the normals of the two triangles of an edge: 0 = flat,
         positive = convex (seen from the side the normals point to), NaN where the edge has not
         exactly two triangles.
+
+    >>> import solver
+    >>> forms = solver.fundamental_forms([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+    >>> forms.lengths.tolist()
+    [3.0, 4.0, 5.0]
     """
 
     edges: np.ndarray
@@ -37,6 +42,12 @@ def fundamental_forms(V: ArrayLike, F: ArrayLike) -> FundamentalForms:
     """Edge lengths and dihedral angles of the surface (V, F).
 
     V: (n, 3) positions.  F: (m, 3) triangles.  Raises MeshError for anything else.
+
+    >>> import solver
+    >>> V = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, -1]]  # two triangles, a right angle at 0-1
+    >>> forms = solver.fundamental_forms(V, [[0, 1, 2], [1, 0, 3]])
+    >>> forms.edges[0].tolist(), np.degrees(forms.dihedral_angles[0]).round(9)
+    ([0, 1], np.float64(90.0))
     """
     V = as_vertices(V)
     F = as_faces(F, len(V))

@@ -35,6 +35,13 @@ def reconstruct(
     triangle `seed_face`, the identity by default.  seed_position: (3,) of that triangle's first
     vertex, the origin by default.
     Raises MeshError where the forms do not belong to F or F is not one surface joined by edges.
+
+    >>> import solver
+    >>> F = [[0, 1, 2], [1, 0, 3]]
+    >>> forms = solver.fundamental_forms([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, -1, 0]], F)
+    >>> forms.dihedral_angles[0] = np.pi / 2  # fold the flat square along its diagonal
+    >>> solver.reconstruct(F, forms)[3].round(9) + 0.0
+    array([ 0.,  0., -1.])
     """
     faces = as_faces(F, np.iinfo(np.int64).max)  # the faces say how many vertices there are
     topology = Topology(faces, int(faces.max()) + 1)

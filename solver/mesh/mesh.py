@@ -28,6 +28,11 @@ class Mesh:
     Arrays are read-only. `outlines` are the polygons of the file, `triangle_corners` (m, 3) their
     corners that each triangle takes: `faces == outlines.corners[triangle_corners]`. `extras` counts
     what else the file holds, in plain words; `source` is what its format keeps of that to save it.
+
+    >>> import solver
+    >>> mesh = solver.Mesh.from_arrays([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2, 3]])
+    >>> mesh.vertices.shape, mesh.faces.shape, mesh.polygons.tolist()
+    ((4, 3), (2, 3), [[0, 1, 2, 3]])
     """
 
     vertices: FloatArray
@@ -42,6 +47,10 @@ class Mesh:
         """A mesh of triangles (m, 3) or quads (m, 4) over (n, 3) finite positions.
 
         Raises MeshError where the arrays do not describe one.
+
+        >>> solver.Mesh.from_arrays([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 3]])
+        Traceback (most recent call last):
+        solver.errors.MeshError: face 0 names vertex 3, but they go from 0 to 2
         """
         vertices = _positions(V)
         faces = np.asarray(F)
@@ -77,6 +86,10 @@ class Mesh:
         An OBJ saved from an OBJ keeps every byte of its source but the coordinates of `v` lines
         that moved and of `vn` lines that turned. Other formats keep the polygons (STL: triangles).
         Raises MeshError for X or the suffix, FileError where the file cannot be written.
+
+        >>> mesh.save("large.ply", 10 * mesh.vertices)
+        >>> solver.load_mesh("large.ply").vertices.max()
+        np.float64(10.0)
         """
         file_format = _format(path)
         positions = _positions(X)
@@ -94,6 +107,12 @@ def load_mesh(path: str | os.PathLike[str]) -> Mesh:
 
     Raises FileError where the file cannot be read and MeshError, in one line that names the place,
     where it does not hold a surface.
+
+    >>> import solver
+    >>> with open("square.obj", "w") as file:
+    ...     _ = file.write("v 0 0 0\\nv 1 0 0\\nv 1 1 0\\nv 0 1 0\\nf 1 2 3 4\\n")
+    >>> solver.load_mesh("square.obj").faces.tolist()
+    [[0, 1, 2], [0, 2, 3]]
     """
     file_format, name = _format(path), os.fspath(path)
     return _build(file_format.read(read_bytes(path), name), name)

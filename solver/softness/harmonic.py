@@ -22,6 +22,13 @@ def interpolate_softness(
     principle holds: the result lies between the smallest and the largest value given. A
     component with no value is rigid (0). values: (k,) in [0, 1].
     Raises MeshError, ConstraintError (indices) or MaterialError (values).
+
+    >>> import solver
+    >>> V = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0]]
+    >>> quads = solver.Mesh.from_arrays(V, [[0, 1, 4, 3], [1, 2, 5, 4]])
+    >>> s = solver.interpolate_softness(V, quads.faces, [0, 3, 2, 5], [0, 0, 1, 1])
+    >>> s.round(3)  # half-way between the rigid and the soft end
+    array([0. , 0.5, 1. , 0. , 0.5, 1. ])
     """
     V = as_vertices(V)
     F = as_faces(F, len(V))

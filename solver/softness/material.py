@@ -19,6 +19,11 @@ class Material:
 
     An edge of softness s takes bending**s and stretching**s, so that rigid parts keep gain 1.
     Raises MaterialError unless both are positive and finite.
+
+    >>> import solver
+    >>> hinge = solver.Material(bending=0.1, stretching=1.0)
+    >>> hinge == solver.PRESETS["hinge"]
+    True
     """
 
     bending: float
