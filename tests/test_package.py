@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from app.bundled import ASSETS, DEFAULT_MESH, DEFAULT_SESSION
+from tests.app.command import run
 
 ROOT = Path(__file__).resolve().parents[1]
 PROJECT: dict[str, Any] = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
@@ -20,6 +21,13 @@ def test_the_command_is_the_command_line_of_the_program() -> None:
     for target in PROJECT["project"]["scripts"].values():
         module, name = target.split(":")
         assert callable(getattr(import_module(module), name))
+
+
+def test_the_installed_command_speaks_by_its_own_name() -> None:
+    program = "import sys; sys.argv[0] = '/bin/surface-deformation'; import app.__main__ as m; "
+    done = run("info", "no-such.obj", code=f"{program}sys.exit(m.main())")
+    assert done.returncode == 2
+    assert done.stderr.startswith("surface-deformation: no-such.obj: ")
 
 
 def test_dependencies_come_from_the_requirements_files() -> None:

@@ -13,8 +13,8 @@ from solver.linear.system import System
 from solver.rigid.lbfgs import inner
 from solver.types import FloatArray, IntArray
 
-# l_r, in bounding-box diagonals: how thick a shell the surface is taken for. Thinner shells fold
-# flat, thicker ones stretch; docs/quality.md has the measurements.
+# l_r, in bounding-box diagonals: how far rotations are smoothed. With a shorter one surfaces fold
+# flat, with a longer one they stretch; docs/quality.md has the measurements.
 ROTATION_LENGTH = 0.075
 # Of a triangle's own stiffness against turning, the part that remains where positions follow.
 REMAINING = 0.5
