@@ -35,8 +35,11 @@ class Deformer:
     orientation: whether handles hold the frames of their triangles too, not positions alone.
         Without it, frames are still held where positions leave them open (a planar handle).
     edge_gains: (edges (k, 2), bending (k,), stretching (k,)) in place of softness and material.
+    attach: which pieces follow the larger ones that they touch or are near: True for all, False
+        for none, or their numbers (see Mesh.pieces).
 
-    A connected component without any constraint stays at rest.
+    Seams are welded for the solve. What nothing holds, by itself or through what it is attached
+    to, stays at rest.
     Raises MeshError, ConstraintError or MaterialError. [Wang, Liu & Tong 2012; docs/math.md]
 
     >>> import solver
@@ -63,8 +66,11 @@ class Deformer:
         bending_length: float = 0.01,
         orientation: bool = True,
         edge_gains: tuple[ArrayLike, ArrayLike, ArrayLike] | None = None,
+        attach: bool | ArrayLike = True,
     ) -> None:
-        setup = Setup(fixed, handles, softness, material, bending_length, orientation, edge_gains)
+        setup = Setup(
+            fixed, handles, softness, material, bending_length, orientation, edge_gains, attach
+        )
         self._bound = BoundSurface.of(embed(V, F), setup)
 
     @classmethod

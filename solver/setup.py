@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from solver.arrays import as_floats, as_indices, as_integers, locked
 from solver.errors import ConstraintError, MaterialError
 from solver.softness.material import EdgeGains, Material, as_edge_gains, resolve_material
-from solver.types import FloatArray, IntArray
+from solver.types import BoolArray, FloatArray, IntArray
 
 FREE = -1
 FIXED = 0  # handle number h is group 1 + h
@@ -25,7 +25,8 @@ class Setup:
     Holds read-only copies: what the caller does to its arrays later does not reach it. Whether
     it fits a mesh is found out when it is bound.
 
-    fixed: (k,).  handles: one (k,) array each.  softness: (n,) or None.
+    fixed: (k,).  handles: one (k,) array each.  softness: (n,) or None.  attach: True, False, or
+    the numbers of the pieces that follow.
     Raises ConstraintError (fixed, handles) or MaterialError (the rest).
 
     >>> import solver
@@ -43,6 +44,7 @@ class Setup:
     bending_length: float
     orientation: bool
     edge_gains: EdgeGains | None
+    attach: bool | tuple[int, ...]
 
     def __init__(
         self,
@@ -53,6 +55,7 @@ class Setup:
         bending_length: float = 0.01,
         orientation: bool = True,
         edge_gains: tuple[ArrayLike, ArrayLike, ArrayLike] | None = None,
+        attach: bool | ArrayLike = True,
     ) -> None:
         if softness is not None and edge_gains is not None:
             raise MaterialError("give softness or edge_gains, got both")
@@ -67,6 +70,7 @@ class Setup:
             "bending_length": _as_length(bending_length),
             "orientation": bool(orientation),
             "edge_gains": None if edge_gains is None else as_edge_gains(edge_gains),
+            "attach": attach if isinstance(attach, bool) else _as_pieces(attach),
         }
         for name, value in values.items():
             object.__setattr__(self, name, value)
@@ -78,7 +82,7 @@ class Setup:
 
     def holds_as(self, other: Setup) -> bool:
         """Whether both hold the same vertices in the same way, whatever their material."""
-        names = ("fixed", "handles", "orientation")
+        names = ("fixed", "handles", "orientation", "attach")
         return all(_same(getattr(self, name), getattr(other, name)) for name in names)
 
     def groups(self, vertex_count: int) -> IntArray:
@@ -94,6 +98,18 @@ class Setup:
         for number, vertices in enumerate(handles):
             _claim(group, vertices, number)
         return group
+
+    def follows(self, piece: IntArray, count: int) -> BoolArray:
+        """Which of some pieces (k,) follow the larger ones that they are near.
+
+        count: of all pieces. Raises ConstraintError where `attach` names another one.
+        """
+        if isinstance(self.attach, bool):
+            return np.full(len(piece), self.attach)
+        wrong = [number for number in self.attach if not 0 <= number < count]
+        if wrong:
+            raise ConstraintError(f"attach names piece {wrong[0]}, expected 0 to {count - 1}")
+        return np.isin(piece, self.attach)
 
     def changed(self, **changes: Any) -> Setup:
         """Another one with some values replaced.
@@ -125,6 +141,10 @@ def _as_length(length: float) -> float:
     if not (numeric and np.isfinite(length) and length > 0):
         raise MaterialError(f"bending_length must be a positive number, got {length!r}")
     return float(length)
+
+
+def _as_pieces(attach: ArrayLike) -> tuple[int, ...]:
+    return tuple(np.unique(as_integers(attach, "attach")).tolist())
 
 
 def _same(one: Any, two: Any) -> bool:

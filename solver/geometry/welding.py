@@ -47,9 +47,13 @@ def pieces(V: FloatArray, F: IntArray) -> IntArray:
     """
     topology = Topology(F, len(V))
     welded = weld(V, topology)
-    component = components(welded[topology.edges], len(V))[welded]
-    result = np.full(len(V), -1)
-    used = np.unique(F)
+    return number_pieces(components(welded[topology.edges], len(V))[welded], F)
+
+
+def number_pieces(component: IntArray, faces: IntArray) -> IntArray:
+    """(n,) components counted by the first vertex that a face uses; -1 where none does."""
+    result = np.full(len(component), -1)
+    used = np.unique(faces)
     _, first, number = np.unique(component[used], return_index=True, return_inverse=True)
     result[used] = np.argsort(np.argsort(first))[number]
     return result

@@ -43,7 +43,7 @@ def bind(rest: RestSurface, setup: Setup, earlier: Binding | None = None) -> Bin
     else:
         constraints = build_constraints(rest, setup)
         structure = Structure(rest, constraints)
-    system = System(rest, structure, rest.energy.weights(length, gains))
+    system = System(rest, structure, rest.energy.weights(length, gains), length)
     hard = hard_response(rest, constraints, system)
     return Binding(rest, setup, length, constraints, structure, system, hard)
 

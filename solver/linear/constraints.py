@@ -6,8 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from solver.geometry.topology import components
 from solver.linear.rest_surface import RestSurface
 from solver.setup import FREE, Setup
+from solver.surface.attachments import Attachments
 from solver.types import BoolArray, FloatArray, IntArray
 
 # Held points count as lying in one plane when their thickness is below this share of their extent.
@@ -20,14 +22,17 @@ class Constraints:
 
     handles: the vertices of each movable handle.
     row_group: (n + 3m,) FREE, FIXED or 1 + h for each row of U.
-    free: the rows to solve for. A component that nothing holds is not among them.
-    held_components: (components,) whether anything holds that component.
+    free: the rows to solve for. A body that nothing holds is not among them.
+    attachments: those in force.  row_body: (n + 3m,) the number of each row's body: pieces that
+    are attached to each other.  held_bodies: (bodies,) whether anything holds that body.
     """
 
     handles: tuple[IntArray, ...]
     row_group: IntArray
     free: IntArray
-    held_components: BoolArray
+    attachments: Attachments
+    row_body: IntArray
+    held_bodies: BoolArray
 
 
 def build_constraints(rest: RestSurface, setup: Setup) -> Constraints:
@@ -36,14 +41,27 @@ def build_constraints(rest: RestSurface, setup: Setup) -> Constraints:
     Raises ConstraintError, see Setup.groups.
     """
     group = setup.groups(len(rest.vertices))
-    component = rest.topology.vertex_component
-    held = np.zeros(component.max() + 1, dtype=bool)
-    held[component[group != FREE]] = True
+    possible = rest.attachments
+    count = int(rest.pieces.max()) + 1
+    attachments = possible.where(setup.follows(possible.follower, count))
+    body = _bodies(rest, attachments)
+    held = np.zeros(int(body.max()) + 1, dtype=bool)
+    held[body[group != FREE]] = True
     oriented = group != FREE if setup.orientation else _underdetermined(rest, group)
     face_group = _face_groups(rest, group, oriented)
     row_group = rest.rows(group, face_group)
-    free = np.flatnonzero((row_group == FREE) & held[rest.row_component])
-    return Constraints(setup.handles, row_group, free, held)
+    row_body = rest.rows(body, body[rest.faces[:, 0]])
+    free = np.flatnonzero((row_group == FREE) & held[row_body])
+    return Constraints(setup.handles, row_group, free, attachments, row_body, held)
+
+
+def _bodies(rest: RestSurface, attachments: Attachments) -> IntArray:
+    """(n,) components of vertices, those that are attached to each other taken together."""
+    component = rest.topology.vertex_component
+    if len(attachments) == 0:
+        return component
+    ends = np.column_stack([attachments.vertex, rest.faces[attachments.face, 0]])
+    return components(component[ends], int(component.max()) + 1)[component]
 
 
 def _pieces(rest: RestSurface, group: IntArray) -> IntArray:

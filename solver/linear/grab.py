@@ -70,9 +70,9 @@ def make_grab(
         raise ConstraintError(f"grab weights must be ({n},), got {w.shape}")
     if (w < 0).any():
         raise ConstraintError(f"grab weights must not be negative, got {w.min()}")
-    component = rest.topology.vertex_component
-    loose = np.unique(component[(w > 0) & ~constraints.held_components[component]])
-    carried = np.flatnonzero(np.isin(rest.row_component, loose))
+    body = constraints.row_body[:n]
+    loose = np.unique(body[(w > 0) & ~constraints.held_bodies[body]])
+    carried = np.flatnonzero(np.isin(constraints.row_body, loose))
     moments = _moments(rest, w, lever)[system.free]
     if not moments.any() and len(carried) == 0:
         raise ConstraintError("grab weights select no vertex that is free to move")

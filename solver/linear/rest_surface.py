@@ -8,7 +8,10 @@ import numpy as np
 
 from solver.factor import minimum_degree
 from solver.geometry.topology import Topology
+from solver.geometry.welding import number_pieces
 from solver.linear.energy import RestEnergy
+from solver.surface.attachments import Attachments
+from solver.surface.contacts import find_attachments
 from solver.types import FloatArray, IntArray
 
 
@@ -57,9 +60,12 @@ class RestSurface:
         triangle belong together. What stays of it when some rows are held is a good order too.
         """
         n, m = len(self.vertices), len(self.faces)
-        topology = self.topology
+        topology, attached = self.topology, self.attachments
         corners = np.column_stack([n + np.repeat(np.arange(m), 3), self.faces.ravel()])
-        graph = np.concatenate([topology.edges, corners, n + topology.links])
+        near = np.column_stack([self.faces[attached.face], n + attached.face])
+        joints = np.column_stack([np.repeat(attached.vertex, 4), near.ravel()])
+        frames = n + np.column_stack([attached.own_face, attached.face])
+        graph = np.concatenate([topology.edges, corners, n + topology.links, joints, frames])
         order = minimum_degree(graph.max(axis=1), graph.min(axis=1), n + m)
         if order is None:
             return None
@@ -79,10 +85,14 @@ class RestSurface:
         return J
 
     @cached_property
-    def row_component(self) -> IntArray:
-        """(n + 3m,) the connected component of each row."""
-        component = self.topology.vertex_component
-        return self.rows(component, component[self.faces[:, 0]])
+    def pieces(self) -> IntArray:
+        """(n,) the number of each vertex's connected piece, see `number_pieces`."""
+        return number_pieces(self.topology.vertex_component, self.faces)
+
+    @cached_property
+    def attachments(self) -> Attachments:
+        """What can join the pieces, in normalised units."""
+        return find_attachments(self.points, self.topology, self.pieces)
 
     def normalise(self, X: FloatArray) -> FloatArray:
         """World positions in normalised units."""

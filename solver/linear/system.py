@@ -9,6 +9,7 @@ from solver.factor import Analysis, Factor, analyse
 from solver.geometry.cotangent_weights import ElementWeights
 from solver.linear.assembly import Pattern, symmetric
 from solver.linear.constraints import Constraints
+from solver.linear.joints import Joints
 from solver.linear.rest_surface import RestSurface
 from solver.setup import FIXED
 from solver.types import BoolArray, FloatArray, IntArray
@@ -23,15 +24,19 @@ class Structure:
     def __init__(self, rest: RestSurface, constraints: Constraints) -> None:
         self.size = rest.row_count
         self.free = constraints.free
+        self.joints = Joints(rest, constraints)
         strained = _strained(rest, constraints)
+        strained[self.joints.faces] = True
         self.active = np.flatnonzero(strained)
         self.pattern = Pattern(rest.topology, strained)
+        self.rows = np.concatenate([self.pattern.rows, self.joints.rows])
+        self.columns = np.concatenate([self.pattern.columns, self.joints.columns])
         number = np.full(self.size, -1)
         number[self.free] = np.arange(len(self.free))
-        rows, columns = number[self.pattern.rows], number[self.pattern.columns]
+        rows, columns = number[self.rows], number[self.columns]
         self.inner = np.flatnonzero((rows >= 0) & (columns >= 0))
         moved = constraints.row_group > FIXED
-        self.outer = np.flatnonzero(moved[self.pattern.rows] | moved[self.pattern.columns])
+        self.outer = np.flatnonzero(moved[self.rows] | moved[self.columns])
         order = rest.elimination_order
         if order is not None:
             order = number[order]
@@ -49,9 +54,21 @@ class System:
     counts as zero.
     """
 
-    def __init__(self, rest: RestSurface, structure: Structure, weights: ElementWeights) -> None:
+    def __init__(
+        self,
+        rest: RestSurface,
+        structure: Structure,
+        weights: ElementWeights,
+        bending_length: float,
+    ) -> None:
         self._rest, self._structure, self._weights = rest, structure, weights
-        self._values = structure.pattern.values(rest.energy, weights)
+        self._bending_length = bending_length
+        self._values = np.concatenate(
+            [
+                structure.pattern.values(rest.energy, weights),
+                structure.joints.values(bending_length),
+            ]
+        )
         self.free = structure.free
         self.active = structure.active
         self.factor: Factor = structure.analysis.factor(self._values[structure.inner])
@@ -73,19 +90,22 @@ class System:
     def bending(self) -> tuple[IntArray, FloatArray]:
         """(q, 2) numbers among the active triangles of those that a bending term joins, and l^2
         w_e^-1 beta_e of each, (q,)."""
-        pattern = self._structure.pattern
-        ends = self._rest.topology.links[pattern.links]
-        return np.searchsorted(self.active, ends), self._weights.bending[pattern.links]
+        pattern, joints = self._structure.pattern, self._structure.joints
+        ends = np.concatenate([self._rest.topology.links[pattern.links], joints.links])
+        weights = self._weights.bending[pattern.links], joints.bending(self._bending_length)
+        return np.searchsorted(self.active, ends), np.concatenate(weights)
 
     @property
     def stretching(self) -> FloatArray:
-        """(a,) the sum over an active triangle's half-edges of w_eT sigma_e ||p_b - p_a||^2."""
+        """(a,) the sum over an active triangle's half-edges of w_eT sigma_e ||p_b - p_a||^2, and
+        the same of its attachments."""
         d = self._rest.energy.vectors[self.active]
-        return np.einsum("ij,ijk,ijk->i", self._weights.stretching[self.active], d, d)
+        own = np.einsum("ij,ijk,ijk->i", self._weights.stretching[self.active], d, d)
+        return own + self._structure.joints.stretching(len(self._rest.faces))[self.active]
 
     def _matrix(self, which: IntArray | slice) -> sp.csr_array:
-        pattern, size = self._structure.pattern, self._structure.size
-        rows, columns = pattern.rows[which], pattern.columns[which]
+        size = self._structure.size
+        rows, columns = self._structure.rows[which], self._structure.columns[which]
         return symmetric(rows, columns, self._values[which], (size, size))
 
 

@@ -77,7 +77,7 @@ def test_a_component_without_a_constraint_is_left_out() -> None:
     V, F = shapes.grid(4, 4)
     two = np.vstack([V, V + 9, [[50, 50, 50]]]), np.vstack([F, F + 16])
     constraints, _ = build(two, [0], [[15]])
-    assert constraints.held_components.sum() == 1
+    assert constraints.held_bodies.sum() == 1
     vertices = constraints.free[constraints.free < 33]
     np.testing.assert_array_equal(vertices, np.arange(1, 15))
 
