@@ -53,7 +53,7 @@ def pieces(V: FloatArray, F: IntArray) -> IntArray:
 def number_pieces(component: IntArray, faces: IntArray) -> IntArray:
     """(n,) components counted by the first vertex that a face uses; -1 where none does."""
     result = np.full(len(component), -1)
-    used = np.unique(faces)
+    used = np.flatnonzero(np.bincount(faces.ravel(), minlength=len(component)))
     _, first, number = np.unique(component[used], return_index=True, return_inverse=True)
     result[used] = np.argsort(np.argsort(first))[number]
     return result

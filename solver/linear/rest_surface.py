@@ -66,7 +66,8 @@ class RestSurface:
         joints = np.column_stack([np.repeat(attached.vertex, 4), near.ravel()])
         frames = n + np.column_stack([attached.own_face, attached.face])
         graph = np.concatenate([topology.edges, corners, n + topology.links, joints, frames])
-        order = minimum_degree(graph.max(axis=1), graph.min(axis=1), n + m)
+        one, two = graph.T  # reducing rows of two is several times slower
+        order = minimum_degree(np.maximum(one, two), np.minimum(one, two), n + m)
         if order is None:
             return None
         size = np.where(order < n, 1, 3)
