@@ -69,8 +69,7 @@ class Performer:
         self._editor.settle()
 
     def _frame(self, x: float, y: float, **buttons: bool) -> None:
-        ray = self._camera.ray((x, y))
-        self._editor.step(Input(ray, self._camera.forward, **buttons))
+        self._editor.step(Input((x, y), self._camera, **buttons))
 
 
 def demo(folder: Path) -> None:
@@ -126,12 +125,13 @@ def painter(
 ) -> Callable[[Path, str], None]:
     """What takes a picture of the editor. Raises GraphicsError."""
     with loading():
-        from app.window.view import View, open_offscreen
+        from app.window.opening import open_offscreen
+        from app.window.view import View
     open_offscreen(size)
     view = View()
 
     def draw(path: Path, caption: str) -> None:
-        view.sync(editor)
+        view.show(editor.scene())
         view.look(camera)
         view.picture(path)
         print(f"{path}: {caption}")

@@ -25,7 +25,7 @@ BRUSH_RADII = 0.001, 0.5
 def set_tool(work: Workspace, command: c.SetTool) -> None:
     _check_name(command.name, TOOLS, "tool")
     work.tool, tool = command.name, TOOLS[command.name]
-    watched = MAPS[work.map].measure is not None and not tool.paints
+    watched = MAPS[work.map].measure is not None and tool.keeps_heat
     if tool.map is not None and not watched:
         work.map = tool.map
 

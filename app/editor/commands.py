@@ -16,9 +16,13 @@ class CommandError(SolverError):
 
 @dataclass(frozen=True)
 class Command:
-    """interrupts: whether a stroke or drag in progress ends before the command is carried out."""
+    """interrupts: whether a stroke or drag in progress ends before the command is carried out.
+
+    notice: what the window says while it carries out a command that takes its time, else empty.
+    """
 
     interrupts: ClassVar[bool] = True
+    notice: ClassVar[str] = ""
 
 
 @dataclass(frozen=True)
@@ -106,10 +110,14 @@ class ClearSoftness(Command):
 class FillSoftness(Command):
     """Keep the pinned values, and give all vertices connected to one a harmonic softness."""
 
+    notice: ClassVar[str] = "Working ..."
+
 
 @dataclass(frozen=True)
 class SmoothSoftness(Command):
     """Even out the whole field, pins included."""
+
+    notice: ClassVar[str] = "Working ..."
 
 
 @dataclass(frozen=True)
@@ -154,11 +162,13 @@ class CancelGesture(Command):
 
 @dataclass(frozen=True)
 class OpenMesh(Command):
+    notice: ClassVar[str] = "Loading ..."
     path: Path
 
 
 @dataclass(frozen=True)
 class OpenSession(Command):
+    notice: ClassVar[str] = "Loading ..."
     path: Path
 
 

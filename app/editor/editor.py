@@ -2,33 +2,42 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from app.editor.actions import ACTIONS
 from app.editor.commands import Command
 from app.editor.file_actions import FILE_ACTIONS
-from app.model.document import FIRST_HANDLE, FIXED
+from app.model.document import FIRST_HANDLE, FIXED, Document
 from app.tools.table import TOOLS
 from app.workspace import binding
 from app.workspace.color_maps import MAPS
 from app.workspace.events import Input
-from app.workspace.picking import Hit
+from app.workspace.latest import Latest
+from app.workspace.scene import Dots, Outline, Scene, dot_radius
 from app.workspace.softness_warnings import softness_warnings
 from app.workspace.workspace import Workspace
 from solver.errors import SolverError
 from solver.types import FloatArray
 
 HANDLERS = {**ACTIONS, **FILE_ACTIONS}
+TO_DRAG = f"Take the drag tool ({TOOLS['drag'].key}), then press on a handle and drag"
 
 
 class Editor(Workspace):
-    """What the window draws, and what a person does to it.
+    """What a person does, and what they see of it.
 
     Whatever goes wrong with an input, a command or a file becomes a message; the document stays
-    as it was. hover: what the brush points at, None where no brush is to be shown.
+    as it was. cursor: the line that shows where the tool would act, None where there is none.
     """
 
-    hover: Hit | None = None
-    _warned: tuple[int, ...] = ()
-    _warnings: tuple[str, ...] = ()
+    def adopt(self, document: Document, session_path: Path | None = None) -> None:
+        """Show another document, with a history of its own."""
+        super().adopt(document, session_path)
+        self.cursor: Outline | None = None
+        self._colors: Latest[FloatArray] = Latest()
+        self._dots: Latest[Dots | None] = Latest()
+        self._dot_radius: Latest[float] = Latest()
+        self._warnings: Latest[tuple[str, ...]] = Latest()
 
     def step(self, frame: Input) -> None:
         """One frame: advance a stroke or drag, take finished binds, pose the surface."""
@@ -38,7 +47,7 @@ class Editor(Workspace):
         except (SolverError, OSError) as error:
             self.cancel()
             self.say(str(error), "error")
-        self.hover = self._under(frame)
+        self.cursor = self._cursor(frame)
 
     def execute(self, command: Command) -> None:
         """Do what a person asks for."""
@@ -82,10 +91,18 @@ class Editor(Workspace):
         """Whether there are changes that no session file holds."""
         return self.history.dirty
 
+    def scene(self, edges: bool = False) -> Scene:
+        """What is to be drawn now; edges: whether those of the mesh are."""
+        dots = None
+        if MAPS[self.map].pins:
+            version = self.document.revision["pinned"], self.positions_version
+            dots = self._dots(version, self._pinned)
+        return Scene(self.document.mesh, self.positions, self.colors, dots, edges, self.cursor)
+
     @property
     def colors(self) -> FloatArray:
-        """(n, 3) RGB of the map that is shown."""
-        return MAPS[self.map].paint(self)
+        """(n, 3) RGB of the map that is shown; another array where they have changed."""
+        return self._colors(self.colors_version, lambda: MAPS[self.map].paint(self))
 
     @property
     def colors_version(self) -> tuple[object, ...]:
@@ -102,10 +119,9 @@ class Editor(Workspace):
         """What is wrong with the softness, in plain words; checked again when it has changed."""
         revision = self.document.revision
         version = tuple(revision[field] for field in ("role", "softness", "material"))
-        if version != self._warned:
-            self._warned = version
-            self._warnings = softness_warnings(self.document, self.neighbours.edges)
-        return self._warnings
+        return self._warnings(
+            version, lambda: softness_warnings(self.document, self.neighbours.edges)
+        )
 
     @property
     def bind_seconds(self) -> float | None:
@@ -127,12 +143,20 @@ class Editor(Workspace):
             return "Binding ..." if self.worker.binding else "Refining ..."
         if self.bind_error:
             return self.bind_error
-        hint = "Press on a handle and drag"
-        if self.tool != "drag":
-            hint = f"Take the drag tool ({TOOLS['drag'].key}), then press on a handle and drag"
+        hint = TOOLS[self.tool].hint or TO_DRAG
         if not (role == FIXED).any():
             hint += "; nothing is fixed, so the whole part moves along"
         return hint
+
+    def _pinned(self) -> Dots | None:
+        """A dot on every pinned vertex."""
+        document = self.document
+        if not document.pinned.any():
+            return None
+        radius = self._dot_radius(
+            document.serial, lambda: dot_radius(document.mesh.vertices, self.neighbours.edges)
+        )
+        return Dots(self.positions[document.pinned], radius)
 
     def _refresh(self) -> None:
         binding.update(self)
@@ -154,12 +178,10 @@ class Editor(Workspace):
 
     def _begin(self, frame: Input) -> None:
         begin = TOOLS[self.tool].begin
-        hit = self.pick(frame.ray) if begin and frame.ray else None
-        if begin and hit is not None:
-            self.interaction = begin(self, frame, hit)
+        if begin is not None and frame.pixel is not None:
+            self.interaction = begin(self, frame)
 
-    def _under(self, frame: Input) -> Hit | None:
+    def _cursor(self, frame: Input) -> Outline | None:
+        cursor = TOOLS[self.tool].cursor
         orbiting = frame.down and not self.captures
-        if frame.ray is None or orbiting or not TOOLS[self.tool].paints:
-            return None
-        return self.pick(frame.ray)
+        return None if cursor is None or orbiting else cursor(self, frame)

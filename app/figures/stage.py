@@ -5,17 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-
 from app.bundled import DEFAULT_MESH
-from app.editor.editor import Editor
 from app.figures.figure import Figure
 from app.graphics import loading
-from app.model.document import Document
-from app.worker.inline import InlineWorker
 from app.workspace.camera import FIELD_OF_VIEW, Camera
+from app.workspace.scene import Dots, Scene, dot_radius
 from solver import load_mesh
-from solver.types import FloatArray
+from solver.geometry.topology import Topology
 
 SIZE = (640, 480)
 CAMERAS = {
@@ -25,48 +21,17 @@ CAMERAS = {
 }
 
 
-class Stage(Editor):
-    """Shows a figure in place of what a person did."""
-
-    figure: Figure | None = None
-
-    def put(self, figure: Figure) -> None:
-        """Show this one from now on."""
-        self.figure = figure
-        self.map = "roles" if figure.pins is None else "softness"
-        pins = np.zeros(len(figure.X), dtype=bool) if figure.pins is None else figure.pins
-        self.document.change("pinned", pins)
-
-    @property
-    def positions(self) -> FloatArray:
-        """The figure's pose."""
-        return super().positions if self.figure is None else self.figure.X
-
-    @property
-    def positions_version(self) -> int:
-        """Another one for each figure."""
-        return id(self.figure)
-
-    @property
-    def colors(self) -> FloatArray:
-        """The figure's colours."""
-        return super().colors if self.figure is None else self.figure.colors
-
-    @property
-    def colors_version(self) -> tuple[object, ...]:
-        """Another one for each figure."""
-        return (id(self.figure),)
-
-
 def draw(figures: Sequence[Figure], folder: Path) -> None:
     """Save a PNG for each figure. Raises GraphicsError."""
     with loading():
-        from app.window.view import View, open_offscreen
+        from app.window.opening import open_offscreen
+        from app.window.view import View
     open_offscreen(SIZE)
-    view, stage = View(), Stage(Document(load_mesh(DEFAULT_MESH), DEFAULT_MESH), InlineWorker())
+    view, mesh = View(), load_mesh(DEFAULT_MESH)
+    radius = dot_radius(mesh.vertices, Topology(mesh.faces, len(mesh.vertices)).edges)
     for figure in figures:
-        stage.put(figure)
-        view.sync(stage)
+        dots = None if figure.pins is None else Dots(figure.X[figure.pins], radius)
+        view.show(Scene(mesh, figure.X, figure.colors, dots))
         view.look(CAMERAS[figure.camera])
         view.picture(folder / figure.picture)
         print(f"{folder / figure.picture}: {figure.title}")

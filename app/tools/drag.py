@@ -8,7 +8,8 @@ import numpy as np
 
 from app.model.document import Handle
 from app.model.history import Gesture
-from app.workspace.events import Input, Ray
+from app.workspace.camera import Ray
+from app.workspace.events import Input
 from app.workspace.picking import Hit
 from app.workspace.workspace import Workspace
 from solver.types import FloatArray
@@ -28,7 +29,7 @@ class Drag:
         self._gesture = Gesture(work.document)
         self._done: tuple[object, ...] = ()
         self._start = hit.position
-        self._normal = press.view_direction
+        self._normal = press.camera.forward
         A, t = handle.transform[:3, :3], handle.transform[:3, 3]
         # A session file may hold any affine transform, even one that flattens.
         self._grabbed = np.linalg.pinv(A) @ (hit.position - t)

@@ -9,8 +9,9 @@ import numpy as np
 
 from app.model.document import FREE, Document
 from app.model.history import Gesture
-from app.workspace.brush import MAX_DABS, rays_between
-from app.workspace.events import Input, Ray
+from app.workspace.brush import MAX_DABS
+from app.workspace.camera import Ray, rays_between
+from app.workspace.events import Input
 from app.workspace.picking import Hit
 from app.workspace.workspace import Workspace
 from solver.geometry.procrustes import rigid_motion
@@ -52,12 +53,12 @@ class Stroke:
             self._ray = self._hit = None
             return
         before = self._ray or frame.ray
-        length = self._travelled(before, frame.ray)
+        length = self._travelled(before, frame.ray, self._work.under(frame))
         count = int(np.clip(np.ceil(2 * length / self._radius), 1, MAX_DABS))
         # A longer way than this from one dab to the next is a jump to another part of the surface.
         reach = max(self._radius, 2 * length / count)
         for ray in rays_between(before, frame.ray, count):
-            hit = self._work.pick(ray)
+            hit = self._work.under(frame) if ray is frame.ray else self._work.pick(ray)
             if hit is not None:
                 self._dab(hit, self._joined(hit, reach))
                 self._depth = hit.distance
@@ -73,10 +74,9 @@ class Stroke:
         """Take the stroke back."""
         self._gesture.cancel()
 
-    def _travelled(self, before: Ray, now: Ray) -> float:
-        """About how far the brush moves along the surface between two rays."""
+    def _travelled(self, before: Ray, now: Ray, hit: Hit | None) -> float:
+        """About how far the brush moves along the surface from one ray to another and its hit."""
         length = float(np.linalg.norm(now.at(self._depth) - before.at(self._depth)))
-        hit = self._work.pick(now)
         if hit is not None and self._hit is not None:
             length = max(length, float(np.linalg.norm(hit.position - self._hit.position)))
         return length

@@ -1,35 +1,16 @@
-"""The tools, as a table: what pressing on the surface begins with each of them."""
+"""The tools, as a table: what each does with a press, what it shows and what it can be told."""
 
 from __future__ import annotations
-
-from collections.abc import Callable
-from dataclasses import dataclass
 
 from app.model.document import FIRST_HANDLE, FIXED
 from app.model.history import Gesture
 from app.tools.drag import Drag
 from app.tools.softness_strokes import SOFTNESS_MODES, SoftnessEraser
 from app.tools.strokes import HandlePaint, Paint, RoleEraser, RolePaint, Stroke
+from app.tools.tool import Tool, brush_rim, on_surface
 from app.workspace.events import Input
 from app.workspace.picking import Hit
 from app.workspace.workspace import Interaction, Workspace
-
-Begin = Callable[[Workspace, Input, Hit], Interaction | None]
-
-
-@dataclass(frozen=True)
-class Tool:
-    """key: on the keyboard. paints: shows the brush.
-
-    begin: what a press on the surface starts; None leaves the press to the camera.
-    map: the one of color_maps.MAPS that shows what the tool does, None to leave it as it is.
-    """
-
-    label: str
-    key: str
-    begin: Begin | None = None
-    paints: bool = False
-    map: str | None = None
 
 
 def _fixed(work: Workspace, press: Input, hit: Hit) -> Interaction:
@@ -68,8 +49,32 @@ def _drag(work: Workspace, press: Input, hit: Hit) -> Interaction | None:
 
 TOOLS = {
     "navigate": Tool("Navigate", "1"),
-    "fixed": Tool("Fixed", "2", _fixed, paints=True, map="roles"),
-    "handle": Tool("Handle", "3", _handle, paints=True, map="roles"),
-    "softness": Tool("Softness", "4", _softness, paints=True, map="softness"),
-    "drag": Tool("Drag", "5", _drag, map="roles"),
+    "fixed": Tool(
+        "Fixed", "2", on_surface(_fixed), brush_rim, options=("brush radius",), map="roles"
+    ),
+    "handle": Tool(
+        "Handle",
+        "3",
+        on_surface(_handle),
+        brush_rim,
+        options=("brush radius", "new handle"),
+        map="roles",
+    ),
+    "softness": Tool(
+        "Softness",
+        "4",
+        on_surface(_softness),
+        brush_rim,
+        options=("brush radius", "softness brush", "whole softness"),
+        map="softness",
+    ),
+    "drag": Tool(
+        "Drag",
+        "5",
+        on_surface(_drag),
+        options=("turns by itself",),
+        map="roles",
+        keeps_heat=True,
+        hint="Press on a handle and drag",
+    ),
 }

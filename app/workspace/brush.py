@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.csgraph import breadth_first_order
 
-from app.workspace.events import Ray
 from app.workspace.picking import Hit
 from solver.geometry.topology import Topology
 from solver.types import FloatArray, IntArray
@@ -93,12 +91,3 @@ def _squared_distances(positions: FloatArray, start: FloatArray, end: FloatArray
         along = np.clip(away @ back / length2, 0, 1)
         away -= along[:, None] * back
     return np.asarray(np.einsum("ij,ij->i", away, away))
-
-
-def rays_between(before: Ray, now: Ray, count: int) -> Iterator[Ray]:
-    """`count` rays from `before` (left out) to `now` (the last), evenly spread."""
-    for t in np.arange(1, count) / count:
-        direction = (1 - t) * before.direction + t * now.direction
-        origin = (1 - t) * before.origin + t * now.origin
-        yield Ray(origin, direction / np.linalg.norm(direction))
-    yield now

@@ -1,17 +1,31 @@
-"""A perspective camera as numbers: pixels to rays and points to pixels."""
+"""A perspective camera as numbers, from pixels to rays and from points to pixels."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.workspace.events import Ray
 from solver.types import FloatArray
+
+Pixel = tuple[float, float]  # x to the right and y down, from the top left corner
 
 FIELD_OF_VIEW = np.radians(45.0)  # vertical
 FIT = 1.15  # how much larger than the mesh a framed view is
+
+
+@dataclass(frozen=True, eq=False)
+class Ray:
+    """A half-line. origin: (3,) world position. direction: (3,) of unit length."""
+
+    origin: FloatArray
+    direction: FloatArray
+
+    def at(self, distance: float) -> FloatArray:
+        """The point `distance` along the ray, (3,)."""
+        return self.origin + distance * self.direction
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +73,7 @@ class Camera:
         """Distance, in pixels, at which one unit is one pixel."""
         return 0.5 * self.size[1] / float(np.tan(0.5 * self.fov))
 
-    def ray(self, pixel: tuple[float, float]) -> Ray:
+    def ray(self, pixel: Pixel) -> Ray:
         """The ray through a pixel."""
         x, y = pixel[0] - 0.5 * self.size[0], 0.5 * self.size[1] - pixel[1]
         direction = self._focal_length * self.forward + x * self.right + y * self.up
@@ -77,6 +91,15 @@ class Camera:
     def units_per_pixel(self, point: FloatArray) -> float:
         """World length that one pixel covers at the depth of `point`."""
         return float((point - self.position) @ self.forward) / self._focal_length
+
+
+def rays_between(before: Ray, now: Ray, count: int) -> Iterator[Ray]:
+    """`count` rays from `before` (left out) to `now` (the last), evenly spread."""
+    for t in np.arange(1, count) / count:
+        direction = (1 - t) * before.direction + t * now.direction
+        origin = (1 - t) * before.origin + t * now.origin
+        yield Ray(origin, direction / np.linalg.norm(direction))
+    yield now
 
 
 def _unit(vector: FloatArray) -> FloatArray:

@@ -111,6 +111,7 @@ class ColorMap:
     paint: (n, 3) RGB.  fields: of the document, those that it depends on.
     scale: what its legend shows, None without one.
     measure: what it shows of the shape on screen (heat.MEASURES), None if nothing.
+    pins: whether the pinned vertices are marked on it.
     """
 
     label: str
@@ -118,6 +119,7 @@ class ColorMap:
     fields: tuple[str, ...] = ()
     scale: Scale | None = None
     measure: str | None = None
+    pins: bool = False
 
     def version(self, work: Workspace) -> tuple[object, ...]:
         """Differs whenever what `paint` returns may."""
@@ -133,7 +135,9 @@ def _heat(measure: str, label: str, scale: Scale) -> ColorMap:
 
 MAPS = {
     "roles": ColorMap("Regions", role_colors, ("role",)),
-    "softness": ColorMap("Softness", softness_colors, ("softness",), Scale(viridis, 0.0, 1.0)),
+    "softness": ColorMap(
+        "Softness", softness_colors, ("softness",), Scale(viridis, 0.0, 1.0), pins=True
+    ),
     "strain": _heat("strain", "Strain of edges", Scale(diverging, -0.25, 0.25, 100, " %")),
     "dihedral": _heat(
         "dihedral", "Change of bend", Scale(rising, 0.0, np.pi / 4, 180 / np.pi, "°")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import igl
 import numpy as np
 
-from app.workspace.events import Ray
+from app.workspace.camera import Ray
 from solver.types import FloatArray, IntArray
 
 # libigl takes a triangle for parallel to the ray below a fixed threshold of its own, and a small

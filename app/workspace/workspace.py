@@ -15,8 +15,10 @@ from app.model.document import Document, Handle, clock
 from app.model.history import Gesture, History
 from app.worker.client import Worker
 from app.workspace.brush import Brush, Neighbours
-from app.workspace.events import Input, Ray
+from app.workspace.camera import Ray
+from app.workspace.events import Input
 from app.workspace.heat import Heat
+from app.workspace.latest import Latest
 from app.workspace.picking import Hit, Picker
 from app.workspace.pose import Surface
 from solver.types import FloatArray
@@ -86,6 +88,7 @@ class Workspace:
         self.neighbours = Neighbours(mesh.faces, len(mesh.vertices))
         self.heat = Heat(mesh)
         self._picker = Picker(mesh.faces)
+        self._under: Latest[Hit | None] = Latest()
         self._active = document.handles[0].key if document.handles else None
 
     def say(self, text: str, kind: Literal["info", "error"] = "info") -> None:
@@ -119,6 +122,13 @@ class Workspace:
     def dragging(self) -> bool:
         """Whether a drag is in progress."""
         return self.interaction is not None and self.interaction.drags
+
+    def under(self, frame: Input) -> Hit | None:
+        """What the cursor of a frame points at: picked once, as long as the surface stays."""
+        ray = frame.ray
+        if ray is None:
+            return None
+        return self._under((frame, self.surface.version), lambda: self.pick(ray))
 
     def pick(self, ray: Ray) -> Hit | None:
         """The first point of the surface on screen that the ray meets."""

@@ -1,4 +1,4 @@
-"""A scripted person: aims rays at points of the surface and does what a hand would do."""
+"""A scripted person: points at places of the surface and does what a hand would do."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from app.model.document import Document
 from app.worker.client import Worker
 from app.worker.inline import InlineWorker
 from app.worker.requests import Request
-from app.workspace.events import Input, Ray
+from app.workspace.camera import FIELD_OF_VIEW, Camera
+from app.workspace.events import Input
 from solver import Mesh
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
@@ -37,6 +38,10 @@ def slab(columns: int, rows: int, thickness: float) -> Mesh:
     sides = np.vstack([np.column_stack([b, a, a + n]), np.column_stack([b, a + n, b + n])])
     V = np.vstack([top, top - [0, 0, thickness]])
     return Mesh.from_arrays(V, np.vstack([F, F[:, ::-1] + n, sides]))
+
+
+# Of the way to the middle: rounding may not take a point of the rim off the surface.
+INWARD = 1e-6
 
 
 class IdleWorker(InlineWorker):
@@ -66,16 +71,15 @@ class Person:
         self.centre = mesh.vertices.mean(axis=0)
         self.eye = self.centre + np.asarray(eye, dtype=float)
 
-    def ray(self, point: ArrayLike) -> Ray:
-        """From the eye through a point."""
-        direction = np.asarray(point, dtype=float) - self.eye
-        return Ray(self.eye, direction / np.linalg.norm(direction))
-
     def frame(self, point: ArrayLike | None = None, mouse: str = "", shift: bool = False) -> None:
         """One frame with the cursor on a point; mouse: some of p(ressed), d(own), r(eleased)."""
-        forward = (self.centre - self.eye) / np.linalg.norm(self.centre - self.eye)
-        ray = None if point is None else self.ray(point)
-        self.editor.step(Input(ray, forward, "p" in mouse, "d" in mouse, "r" in mouse, shift))
+        camera = Camera.look_at(self.eye, self.centre, FIELD_OF_VIEW, (1280, 800))
+        pixel = None
+        if point is not None:
+            inward = np.asarray(point, dtype=float) + INWARD * (self.centre - point)
+            ((x, y),) = camera.project(inward[None])
+            pixel = float(x), float(y)
+        self.editor.step(Input(pixel, camera, "p" in mouse, "d" in mouse, "r" in mouse, shift))
 
     def hold(self, points: Iterable[ArrayLike], shift: bool = False) -> Iterator[int]:
         """Press on the first point, move through the others: yields after each frame."""

@@ -10,9 +10,9 @@ import sys
 from pathlib import Path
 
 import numpy as np
-import pytest
 
 from app.editor.commands import AddHandle
+from app.editor.unsaved import keep_unsaved
 from tests.app.person import Person as Hand
 from tests.app.person import slab
 
@@ -88,7 +88,6 @@ def test_a_wrong_file_on_the_command_line_ends_the_window(
 
 
 def test_work_kept_before_is_never_replaced(tmp_path: Path) -> None:
-    keep_unsaved = pytest.importorskip("app.window.main", exc_type=ImportError).keep_unsaved
     hand = Hand(slab(8, 4, 2.0), tmp_path / "slab.obj")
     try:
         for count in (1, 2, 3):

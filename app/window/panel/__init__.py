@@ -6,13 +6,14 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.window.input import SHORTCUTS
 from app.window.panel.colours import colours
-from app.window.panel.files import FileRows
+from app.window.panel.file_rows import FileRows
 from app.window.panel.regions import regions
 from app.window.panel.settings import pose, soft_parts, softness_warnings
-from app.window.panel.tools import choose_tool, status, tool_options
+from app.window.panel.status import status
+from app.window.panel.tools import choose_tool, tool_options
 from app.window.panel.widgets import ERROR_COLOR, WIDTH
+from app.window.shortcuts import SHORTCUTS
 
 __all__ = ["ERROR_COLOR", "WIDTH", "Panel"]
 
@@ -35,13 +36,13 @@ HELP = (
 class Panel:
     """Holds nothing but switches of the window itself: show_edges, show_help.
 
-    files: the rows that open and save.
+    file_rows: the rows that open and save.
     """
 
     def __init__(self) -> None:
         self.show_edges = False
         self.show_help = False
-        self.files = FileRows()
+        self.file_rows = FileRows()
 
     def draw(self, editor: Editor) -> list[c.Command]:
         """Draw the panel; the commands of what was pressed, moved or typed in this frame."""
@@ -55,7 +56,7 @@ class Panel:
             for section in SECTIONS:
                 section(editor, asked)
             self.show_edges = colours(editor, self.show_edges, asked)
-            self.files.draw(editor, asked)
+            self.file_rows.draw(editor, asked)
             psim.PopItemWidth()
         finally:
             psim.End()

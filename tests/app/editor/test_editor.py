@@ -10,6 +10,7 @@ from app.editor import commands as c
 from app.editor.editor import HANDLERS
 from app.model.document import Document
 from app.tools.table import TOOLS
+from app.tools.tool import brush_rim
 from app.worker.requests import BindRequest
 from app.workspace.binding import BindError
 from solver import Mesh
@@ -46,7 +47,7 @@ def test_a_press_beside_the_mesh_is_left_to_the_camera(ready: Person, tool: str)
     before = state(ready.editor.document)
     for _ in ready.hold([OFF_THE_MESH, [19, 2, 0], [10, 2, 0]]):
         assert not ready.editor.captures
-        assert ready.editor.hover is None
+        assert ready.editor.cursor is None
     ready.frame([10, 2, 0], "r")
     assert state(ready.editor.document) == before
 
@@ -110,10 +111,10 @@ def test_the_brush_hovers_over_the_surface_with_painting_tools_only(ready: Perso
     for tool in TOOLS:
         ready.use(tool)
         ready.frame([10, 2, 0])
-        assert (ready.editor.hover is not None) == TOOLS[tool].paints
+        assert (ready.editor.cursor is not None) == (TOOLS[tool].cursor is brush_rim)
     ready.use("fixed")
     ready.frame(OFF_THE_MESH)
-    assert ready.editor.hover is None
+    assert ready.editor.cursor is None
 
 
 WRONG = [

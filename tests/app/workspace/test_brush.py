@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 
 from app.workspace.brush import Neighbours, falloff
-from app.workspace.events import Ray
+from app.workspace.camera import Ray
 from app.workspace.picking import Hit, Picker
 from solver import Mesh
 from solver.types import FloatArray

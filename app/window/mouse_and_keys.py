@@ -1,0 +1,50 @@
+"""Reads the mouse and the keyboard: one Input and the commands of one frame."""
+
+from __future__ import annotations
+
+import polyscope.imgui as psim
+
+from app.editor import commands as c
+from app.window.shortcuts import SHORTCUTS
+from app.workspace.brush import Brush
+from app.workspace.camera import Camera
+from app.workspace.events import Input
+
+
+def read_mouse(camera: Camera) -> Input:
+    """The mouse of this frame, seen through the camera of this frame."""
+    io = psim.GetIO()
+    x, y = io.MousePos
+    inside = 0 <= x < io.DisplaySize[0] and 0 <= y < io.DisplaySize[1]
+    over_scene = inside and not io.WantCaptureMouse
+    return Input(
+        pixel=(x, y) if over_scene else None,
+        camera=camera,
+        pressed=psim.IsMouseClicked(0),
+        down=psim.IsMouseDown(0),
+        released=psim.IsMouseReleased(0),
+        shift=_held(io.KeyShift, psim.ImGuiKey_LeftShift, psim.ImGuiKey_RightShift),
+    )
+
+
+def read_shortcuts(brush: Brush) -> list[c.Command]:
+    """The commands of keys that went down in this frame; none while somebody types in a field."""
+    io = psim.GetIO()
+    if io.WantTextInput:
+        return []
+    ctrl_now = io.KeyCtrl or io.KeySuper
+    ctrl = _held(ctrl_now, psim.ImGuiKey_LeftCtrl, psim.ImGuiKey_RightCtrl)
+    ctrl = _held(ctrl, psim.ImGuiKey_LeftSuper, psim.ImGuiKey_RightSuper)
+    shift = _held(io.KeyShift, psim.ImGuiKey_LeftShift, psim.ImGuiKey_RightShift)
+    # A frame that sees Ctrl let go may also see the plain key that was pressed after it.
+    return [
+        shortcut.command(brush)
+        for shortcut in SHORTCUTS
+        if (ctrl and shortcut.shift == shift if shortcut.ctrl else not ctrl_now)
+        and psim.IsKeyPressed(shortcut.key, shortcut.repeats)
+    ]
+
+
+def _held(now: bool, left: int, right: int) -> bool:
+    """Whether a modifier counts as down: also in the frame that sees a fast chord let go of it."""
+    return now or psim.IsKeyReleased(left) or psim.IsKeyReleased(right)

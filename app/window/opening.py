@@ -1,0 +1,83 @@
+"""Starts Polyscope, in a window or without one, and how the window looks before a mesh is in it."""
+
+from __future__ import annotations
+
+import numpy as np
+import polyscope as ps
+import polyscope.imgui as psim
+
+from app.graphics import GraphicsError
+from app.workspace.camera import FIELD_OF_VIEW
+
+TITLE = "Surface deformation"
+BACKGROUND = (0.74, 0.75, 0.78)  # before Polyscope's tone mapping, which brightens it
+PALETTE = {
+    "WindowBg": (0.13, 0.14, 0.17, 1.0),
+    "PopupBg": (0.16, 0.17, 0.21, 1.0),
+    "Text": (0.91, 0.92, 0.94, 1.0),
+    "TextDisabled": (0.58, 0.61, 0.66, 1.0),
+    "FrameBg": (0.2, 0.22, 0.27, 1.0),
+    "FrameBgHovered": (0.25, 0.28, 0.34, 1.0),
+    "FrameBgActive": (0.28, 0.32, 0.4, 1.0),
+    "Button": (0.24, 0.27, 0.33, 1.0),
+    "ButtonHovered": (0.31, 0.35, 0.43, 1.0),
+    "ButtonActive": (0.18, 0.5, 0.85, 1.0),
+    "SliderGrab": (0.42, 0.6, 0.85, 1.0),
+    "SliderGrabActive": (0.5, 0.7, 0.95, 1.0),
+    "CheckMark": (0.5, 0.75, 1.0, 1.0),
+    "Separator": (0.26, 0.29, 0.35, 1.0),
+    "TitleBgActive": (0.2, 0.22, 0.27, 1.0),
+}
+
+
+def open_window() -> None:
+    """A window on the screen. Raises GraphicsError where there is none."""
+    _start(("openGL3_glfw",), (1280, 800))
+
+
+def open_offscreen(size: tuple[int, int]) -> None:
+    """A canvas for pictures, without a display where EGL can. Raises GraphicsError."""
+    _start(("openGL3_egl", "openGL3_glfw"), size)
+    ps.set_background_color((1.0, 1.0, 1.0))
+    ps.set_SSAA_factor(2)  # a picture has the time that a frame has not
+
+
+def _start(backends: tuple[str, ...], size: tuple[int, int]) -> None:
+    ps.set_verbosity(0)
+    ps.set_use_prefs_file(False)
+    ps.set_program_name(TITLE)
+    ps.set_window_size(*size)
+    ps.set_build_default_gui_panels(False)
+    ps.set_open_imgui_window_for_user_callback(False)
+    ps.set_configure_imgui_style_callback(_style)
+    _init(backends)
+    ps.set_frame_tick_limit_fps_mode("ignore_limits")
+    ps.set_ground_plane_mode("none")
+    ps.set_background_color(BACKGROUND)
+    ps.set_up_dir("y_up")
+    ps.set_front_dir("z_front")
+    ps.set_navigation_style("turntable")
+    ps.set_vertical_fov_degrees(float(np.degrees(FIELD_OF_VIEW)))
+
+
+def _init(backends: tuple[str, ...]) -> None:
+    """The first backend that starts; the reason of the last where none does."""
+    for number, backend in enumerate(backends, start=1):
+        try:
+            ps.init(backend)
+        except RuntimeError as error:
+            if number == len(backends):
+                ps.init("openGL_mock")  # else Polyscope complains at exit that it never started
+                raise GraphicsError(error) from error
+        else:
+            return
+
+
+def _style() -> None:
+    """A quiet dark panel, dense enough that nothing needs scrolling at 800 pixels."""
+    style = psim.GetStyle()
+    style.FramePadding, style.ItemSpacing, style.WindowPadding = (6.0, 2.0), (6.0, 3.0), (10.0, 8.0)
+    style.FrameRounding = style.GrabRounding = 4.0
+    style.WindowBorderSize = 0.0
+    for name, color in PALETTE.items():
+        style.Colors[getattr(psim, f"ImGuiCol_{name}")] = color

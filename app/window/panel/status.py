@@ -1,0 +1,46 @@
+"""The head of the panel: what is open, what to do next, what it costs."""
+
+from __future__ import annotations
+
+import polyscope.imgui as psim
+
+from app.editor import commands as c
+from app.editor.editor import Editor
+from app.window.panel.widgets import BUSY_COLOR, WIDTH
+from app.window.shortcuts import WindowAction
+
+HINT_LINES = 2
+NOTHING = 5e-5  # seconds below which no drag has been
+
+
+def status(editor: Editor, asked: list[c.Command]) -> None:
+    """What is open, what to do next, what it costs."""
+    document = editor.document
+    mark = " *" if editor.dirty else ""
+    psim.Text(f"{document.path.name}{mark}")
+    psim.SameLine(WIDTH - 114.0)
+    if psim.SmallButton("Frame"):
+        asked.append(WindowAction("frame"))
+    psim.SetItemTooltip("Show the whole mesh (F)")
+    psim.SameLine()
+    if psim.SmallButton("Help"):
+        asked.append(WindowAction("help"))
+    psim.SetItemTooltip("Keys and mouse (F1)")
+    faces = len(document.mesh.outlines.sizes)
+    psim.TextDisabled(f"{len(document.role):,} vertices, {faces:,} faces")
+    _hint(editor)
+    bound = editor.bind_seconds
+    bind = "-" if bound is None else f"{1e3 * bound:.0f} ms"
+    drag = f"{1e3 * editor.drag_seconds:.1f} ms" if editor.drag_seconds > NOTHING else "-"
+    psim.TextDisabled(f"bind {bind}   drag frame {drag}")
+
+
+def _hint(editor: Editor) -> None:
+    """Takes two lines even where one is enough: what is below must not jump under the mouse."""
+    below = psim.GetCursorPosY() + HINT_LINES * psim.GetTextLineHeight()
+    below += psim.GetStyle().ItemSpacing[1]
+    if editor.waits:
+        psim.TextColored(BUSY_COLOR, editor.hint)
+    else:
+        psim.TextWrapped(editor.hint)
+    psim.SetCursorPosY(max(below, psim.GetCursorPosY()))

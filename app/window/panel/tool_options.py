@@ -1,0 +1,77 @@
+"""What a tool can be told: OPTIONS is the table that a tool's row names its options from."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import polyscope.imgui as psim
+
+from app.editor import commands as c
+from app.editor.editor import Editor
+from app.tools.softness_strokes import SOFTNESS_MODES
+from app.window.panel.widgets import disabled, halves, logarithmic
+
+BRUSH_RADII = 0.005, 0.3
+
+
+def brush_radius(editor: Editor, asked: list[c.Command]) -> None:
+    """A slider, in diagonals of the mesh."""
+    moved, radius = logarithmic("brush radius", editor.brush.radius, *BRUSH_RADII, "%.3f")
+    if moved:
+        asked.append(c.SetBrush(radius=radius))
+
+
+def new_handle(editor: Editor, asked: list[c.Command]) -> None:
+    """A button."""
+    if psim.Button("New handle"):
+        asked.append(c.AddHandle())
+    psim.SetItemTooltip("Strokes from now on paint another handle")
+
+
+def softness_brush(editor: Editor, asked: list[c.Command]) -> None:
+    """What a stroke does, to what value and how strongly."""
+    brush = editor.brush
+    for number, mode in enumerate(SOFTNESS_MODES):
+        if number:
+            psim.SameLine()
+        if psim.RadioButton(mode, brush.mode == mode):
+            asked.append(c.SetBrush(mode=mode))
+    for label in halves("value", "strength"):
+        with disabled(label == "value" and brush.mode == "smooth"):
+            moved, share = psim.SliderFloat(
+                f"##{label}", getattr(brush, label), 0.0, 1.0, f"{label} %.2f"
+            )
+        if moved:
+            asked.append(c.SetBrush(**{label: share}))
+
+
+def whole_softness(editor: Editor, asked: list[c.Command]) -> None:
+    """What is done to the field at once, without a stroke."""
+    pinned = bool(editor.document.pinned.any())
+    for label, command, usable, tip in (
+        ("Fill", c.FillSoftness(), pinned, "Keep what is pinned (dots), blend everything between"),
+        ("Smooth all", c.SmoothSoftness(), True, "Even out the whole field"),
+        ("Clear pins", c.ClearPins(), pinned, "Pin nothing; the softness stays"),
+    ):
+        with disabled(not usable):
+            if psim.Button(label):
+                asked.append(command)
+        psim.SetItemTooltip(tip)
+        psim.SameLine()
+    psim.NewLine()
+
+
+def turns_by_itself(editor: Editor, asked: list[c.Command]) -> None:
+    """Whether a dragged handle takes its best rotation."""
+    changed, turn = psim.Checkbox("turns by itself", editor.turn)
+    if changed:
+        asked.append(c.SetTurn(turn))
+
+
+OPTIONS: dict[str, Callable[[Editor, list[c.Command]], None]] = {
+    "brush radius": brush_radius,
+    "new handle": new_handle,
+    "softness brush": softness_brush,
+    "whole softness": whole_softness,
+    "turns by itself": turns_by_itself,
+}

@@ -1,0 +1,121 @@
+"""The scene that the editor makes: the same arrays while nothing changes, others once it has."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+import pytest
+
+from app.editor import commands as c
+from app.tools.table import TOOLS
+from app.tools.tool import Tool
+from app.workspace.camera import Pixel
+from app.workspace.events import Input
+from app.workspace.scene import ERASING, PAINTING, Outline
+from app.workspace.workspace import Workspace
+from tests.app.person import Person
+
+
+def test_what_has_not_changed_is_the_same_object(ready: Person) -> None:
+    ready.use("softness", 2)
+    ready.stroke([10, 2, 0])
+    one = ready.editor.scene()
+    ready.frame([12, 2, 0])
+    two = ready.editor.scene()
+    assert one.dots is not None
+    for field in ("mesh", "positions", "colors", "dots"):
+        assert getattr(one, field) is getattr(two, field), field
+
+
+def test_what_has_changed_is_another_object_and_the_old_one_is_as_it_was(ready: Person) -> None:
+    ready.use("softness", 2)
+    ready.stroke([8, 2, 0])
+    before = ready.editor.scene()
+    assert before.dots is not None
+    colors, centres = before.colors.copy(), before.dots.centres.copy()
+    ready.stroke([12, 2, 0])
+    after = ready.editor.scene()
+    assert after.colors is not before.colors
+    assert after.dots is not None
+    assert len(after.dots.centres) > len(centres)
+    np.testing.assert_array_equal(before.colors, colors)
+    np.testing.assert_array_equal(before.dots.centres, centres)
+    assert after.positions is before.positions
+    ready.use("drag")
+    ready.do(c.SetMap("softness"))
+    ready.stroke([19, 2, 0], [17, 6, 0])
+    moved = ready.editor.scene()
+    assert moved.positions is not before.positions
+    assert moved.dots is not None
+    np.testing.assert_array_equal(moved.dots.centres, moved.positions[ready.editor.document.pinned])
+
+
+def test_pins_are_seen_with_the_softness_only(ready: Person) -> None:
+    ready.use("softness", 2)
+    assert ready.editor.scene().dots is None
+    ready.stroke([10, 2, 0])
+    assert ready.editor.scene().dots is not None
+    ready.do(c.SetMap("roles"))
+    assert ready.editor.scene().dots is None
+    ready.do(c.SetMap("softness"))
+    assert ready.editor.scene().dots is not None
+    ready.do(c.ClearPins())
+    assert ready.editor.scene().dots is None
+
+
+def test_the_rim_of_the_brush_is_a_circle_on_the_surface(bar: Person) -> None:
+    bar.use("fixed", 1.5)
+    for shift, color in ((False, PAINTING), (True, ERASING)):
+        bar.frame([10.2, 2.3, 0], shift=shift)
+        outline = bar.editor.scene().outline
+        assert outline is not None
+        assert outline.color == color
+        assert outline.closed
+        away = outline.corners - [10.2, 2.3, 0]
+        np.testing.assert_allclose(np.linalg.norm(away, axis=1), 1.5, atol=1e-4)
+        np.testing.assert_allclose(away[:, 2], 0, atol=1e-4)
+
+
+class Loop:
+    """Notes where the cursor has been."""
+
+    drags: ClassVar[bool] = False
+
+    def __init__(self, press: Input) -> None:
+        self.pixels: list[Pixel | None] = [press.pixel]
+
+    def move(self, frame: Input) -> None:
+        self.pixels.append(frame.pixel)
+
+    def finish(self) -> None:
+        pass
+
+    def cancel(self) -> None:
+        pass
+
+
+def test_a_tool_may_begin_beside_the_surface_and_draw_where_it_has_been(
+    bar: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    loops: list[Loop] = []
+
+    def begin(work: Workspace, press: Input) -> Loop:
+        loops.append(Loop(press))
+        return loops[-1]
+
+    def line(work: Workspace, frame: Input) -> Outline | None:
+        rays = [frame.camera.ray(pixel) for loop in loops for pixel in loop.pixels if pixel]
+        return Outline(np.array([ray.at(1.0) for ray in rays]), PAINTING, closed=False)
+
+    monkeypatch.setitem(TOOLS, "lasso", Tool("Lasso", "6", begin, line))
+    bar.use("lasso")
+    for count, _ in enumerate(bar.hold([[-3, -3, 0], [24, -3, 0], [24, 7, 0]]), start=1):
+        assert bar.editor.captures
+        outline = bar.editor.scene().outline
+        assert outline is not None
+        assert outline.corners.shape == (count, 3)
+    bar.frame(None, "r")
+    assert not bar.editor.captures
+    assert len(loops) == 1
+    assert all(pixel is not None for pixel in loops[0].pixels[:3])
