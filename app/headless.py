@@ -6,9 +6,7 @@ from pathlib import Path
 
 from app.editor.file_actions import load_document
 from app.model.document import Document
-from app.worker.requests import BindRequest
-from app.worker.service import bind
-from solver import load_mesh
+from solver import Deformer, load_mesh
 from solver.mesh.statistics import MeshStatistics, mesh_statistics
 from solver.types import FloatArray
 
@@ -27,11 +25,11 @@ def deform(mesh: Path, session: Path, output: Path, rigid: int | None) -> None:
 
 def posed(document: Document) -> FloatArray:
     """Positions (n, 3) with every handle where its transform puts it. Raises SolverError."""
-    request = BindRequest.of(document)
-    if not request.keys:
-        return document.mesh.vertices
-    transforms = [h.transform for h in document.handles if h.key in request.keys]
-    return bind(request).pose(transforms, rigid=document.rigid)
+    mesh, keys = document.mesh, document.bound_keys
+    if not keys:
+        return mesh.vertices
+    deformer = Deformer.of(mesh.vertices, mesh.faces, document.setup())
+    return deformer.pose(list(document.pose.stacked(keys)), rigid=document.rigid)
 
 
 def info(path: Path) -> str:

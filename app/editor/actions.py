@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from app.editor import commands as c
-from app.model.document import FREE, SETTINGS, Handle, is_number
+from app.model.handles import FREE, Handle, Pose
+from app.model.settings import SETTINGS, is_number
 from app.tools.softness_strokes import SOFTNESS_MODES
 from app.tools.table import TOOLS
 from app.workspace.color_maps import MAPS
@@ -66,17 +67,17 @@ def rename_handle(work: Workspace, command: c.RenameHandle) -> None:
     if not name:
         raise c.CommandError("a handle's name must not be empty")
     with work.edit(f"Rename {handle.name}", merge=f"rename {handle.key}") as gesture:
-        gesture.change("handles", work.document.with_handle(handle.key, name=name))
+        handles = work.document.handles
+        renamed = (replace(h, name=name) if h is handle else h for h in handles)
+        gesture.change("handles", tuple(renamed))
 
 
 def remove_handle(work: Workspace, command: c.RemoveHandle) -> None:
     document, handle = work.document, _handle(work, command.key)
-    number = document.role_of(handle.key)
     with work.edit(f"Remove {handle.name}") as gesture:
-        gesture.change("role", FREE, np.flatnonzero(document.role == number))
-        later = np.flatnonzero(document.role > number)
-        gesture.change("role", document.role[later] - 1, later)
+        gesture.change("role", FREE, document.vertices_of(handle.key))
         gesture.change("handles", tuple(h for h in document.handles if h is not handle))
+        gesture.change("pose", document.pose.without(handle.key))
 
 
 def activate_handle(work: Workspace, command: c.ActivateHandle) -> None:
@@ -143,11 +144,10 @@ def set_setting(work: Workspace, command: c.SetSetting) -> None:
 
 
 def reset_pose(work: Workspace, command: c.ResetPose) -> None:
-    handles = work.document.handles
-    if all(np.array_equal(handle.transform, np.eye(4)) for handle in handles):
+    if work.document.pose.at_rest:
         return
     with work.edit("Reset pose") as gesture:
-        gesture.change("handles", tuple(replace(h, transform=np.eye(4)) for h in handles))
+        gesture.change("pose", Pose())
 
 
 def cancel_gesture(work: Workspace, command: c.CancelGesture) -> None:

@@ -7,9 +7,9 @@ from pathlib import Path
 from app.editor.actions import ACTIONS
 from app.editor.commands import Command
 from app.editor.file_actions import FILE_ACTIONS
-from app.model.document import FIRST_HANDLE, FIXED, Document
+from app.model.document import Document
+from app.model.handles import FIRST_HANDLE, FIXED
 from app.tools.table import TOOLS
-from app.workspace import binding
 from app.workspace.color_maps import MAPS
 from app.workspace.events import Input
 from app.workspace.latest import Latest
@@ -61,7 +61,7 @@ class Editor(Workspace):
 
     def settle(self) -> None:
         """For scripts: wait until the surface is what the document asks for. Raises SolverError."""
-        binding.settle(self)
+        self.surface.settle(self.document)
         self._refresh()
 
     def close(self) -> None:
@@ -141,8 +141,8 @@ class Editor(Workspace):
             return f"Paint a handle ({TOOLS['handle'].key})"
         if self.waits:
             return "Binding ..." if self.worker.binding else "Refining ..."
-        if self.bind_error:
-            return self.bind_error
+        if self.surface.bind_error:
+            return self.surface.bind_error
         hint = TOOLS[self.tool].hint or TO_DRAG
         if not (role == FIXED).any():
             hint += "; nothing is fixed, so the whole part moves along"
@@ -159,7 +159,7 @@ class Editor(Workspace):
         return Dots(self.positions[document.pinned], radius)
 
     def _refresh(self) -> None:
-        binding.update(self)
+        self.surface.follow(self.document, self.captures, self.dragging)
         measure = MAPS[self.map].measure
         self.heat.follow(
             measure, self.document, self.positions, self.positions_version, self.dragging

@@ -10,7 +10,6 @@ from app.bundled import writable
 from app.editor import commands as c
 from app.model.document import Document
 from app.model.session import read_session, to_document, write_session
-from app.workspace.binding import settle
 from app.workspace.workspace import Workspace
 from solver import load_mesh
 
@@ -55,7 +54,7 @@ def save_session(work: Workspace, command: c.SaveSession) -> None:
 def export(work: Workspace, command: c.Export) -> None:
     path = command.path or default_export_path(work)
     _spare_mesh(work, path)
-    settle(work)
+    work.surface.settle(work.document)
     work.document.mesh.save(path, work.positions)
     work.say(f"Exported {path}")
 

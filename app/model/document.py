@@ -1,4 +1,4 @@
-"""Everything undoable about one open mesh: roles, handles, softness, material, settings.
+"""Everything undoable about one open mesh: roles, handles, pose, softness, material, settings.
 
 Nothing here changes except through an Edit, which knows how to be applied and reverted. A new
 undoable field is a line in FIELDS, a default, and (if the solver depends on it) one in BIND_FIELDS.
@@ -7,66 +7,25 @@ undoable field is a line in FIELDS, a default, and (if the solver depends on it)
 from __future__ import annotations
 
 import itertools
-import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
+from app.model.handles import FIRST_HANDLE, FIXED, Handle, Pose
+from app.model.settings import SETTINGS
+from solver import Setup
 from solver.mesh.mesh import Mesh
 from solver.softness.material import Material
 from solver.types import BoolArray, FloatArray, IntArray
 
-FREE, FIXED, FIRST_HANDLE = 0, 1, 2
-
-
-@dataclass(frozen=True)
-class Setting:
-    """One number or switch of the solver: its default, and what values it takes."""
-
-    default: Any
-    accepts: Callable[[Any], bool]
-    expected: str
-
-
-def is_number(value: Any) -> bool:
-    """A finite real number; a boolean is none."""
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        return False
-    try:
-        return math.isfinite(value)
-    except OverflowError:  # an integer beyond every float
-        return False
-
-
-SETTINGS: Mapping[str, Setting] = MappingProxyType(
-    {
-        "bending_length": Setting(0.01, lambda v: is_number(v) and v > 0, "a positive number"),
-        "orientation": Setting(True, lambda v: isinstance(v, bool), "true or false"),
-        "rigid": Setting(1, lambda v: type(v) is int and v >= 0, "an integer, 0 or more"),
-    }
-)
-FIELDS = ("role", "handles", "softness", "pinned", "material", *SETTINGS)
+FIELDS = ("role", "handles", "pose", "softness", "pinned", "material", *SETTINGS)
 BIND_FIELDS = ("role", "softness", "material", "bending_length", "orientation")
 
 # One clock for all documents: a revision never comes back, not even after opening another mesh.
 clock = itertools.count(1)
-
-
-@dataclass(frozen=True, eq=False)
-class Handle:
-    """A named region that moves rigidly. `key` is its identity for as long as the mesh is open.
-
-    transform: (4, 4) from the rest position to where the handle is, world coordinates.
-    """
-
-    key: int
-    name: str
-    transform: FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +41,8 @@ class Edit:
 class Document:
     """One open mesh and what a person decided about it.
 
-    role: (n,) 0 free, 1 fixed, 2 + h the handle number h.  handles: tuple of Handle.
+    role: (n,) FREE, FIXED or the key of a handle.  handles: tuple of Handle, in the order shown.
+    pose: where they are.
     softness: (n,) in [0, 1].  pinned: (n,) whose softness a fill keeps; no session holds it.
     material: a preset's name or a Material.
     bending_length, orientation, rigid: the solver's settings (SETTINGS).
@@ -95,6 +55,8 @@ class Document:
         self.serial = next(clock)
         self.role: IntArray = np.zeros(len(mesh.vertices), dtype=np.int64)
         self.handles: tuple[Handle, ...] = ()
+        self.pose = Pose()
+        self._keys = itertools.count(FIRST_HANDLE)
         self.softness: FloatArray = np.zeros(len(mesh.vertices))
         self.pinned: BoolArray = np.zeros(len(mesh.vertices), dtype=bool)
         self.material: str | Material = "hinge"
@@ -145,18 +107,7 @@ class Document:
 
     def vertices_of(self, key: int) -> IntArray:
         """The vertices of a handle, ascending."""
-        return np.flatnonzero(self.role == self.role_of(key))
-
-    def role_of(self, key: int) -> int:
-        """The role that marks the vertices of a handle. Raises KeyError if it is gone."""
-        for number, handle in enumerate(self.handles):
-            if handle.key == key:
-                return FIRST_HANDLE + number
-        raise KeyError(key)
-
-    def handle_of_role(self, role: int) -> Handle | None:
-        """The handle a role stands for, None for free and fixed."""
-        return self.handles[role - FIRST_HANDLE] if role >= FIRST_HANDLE else None
+        return np.flatnonzero(self.role == key)
 
     def find(self, key: int | None) -> Handle | None:
         """The handle with this key, if there is one."""
@@ -166,11 +117,24 @@ class Document:
         """A handle at rest, not yet part of the document; without a name it gets a free one."""
         taken = {handle.name for handle in self.handles}
         free = (f"handle {k}" for k in itertools.count(1) if f"handle {k}" not in taken)
-        return Handle(next(clock), name or next(free), np.eye(4))
+        return Handle(next(self._keys), name or next(free))
 
-    def with_handle(self, key: int, **changes: Any) -> tuple[Handle, ...]:
-        """The handles, with what `changes` names different in one of them."""
-        return tuple(replace(h, **changes) if h.key == key else h for h in self.handles)
+    def setup(self) -> Setup:
+        """What the solver is bound to; handles without a vertex stay out."""
+        return Setup(
+            fixed=self.fixed,
+            handles=[self.vertices_of(key) for key in self.bound_keys],
+            softness=self.softness,
+            material=self.material,
+            bending_length=self.bending_length,
+            orientation=self.orientation,
+        )
+
+    @property
+    def bound_keys(self) -> tuple[int, ...]:
+        """The keys of the handles that have vertices, in their order."""
+        used = np.unique(self.role)
+        return tuple(handle.key for handle in self.handles if handle.key in used)
 
     @cached_property
     def diagonal(self) -> float:

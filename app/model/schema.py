@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from app.model.document import is_number
+from app.model.settings import is_number
 from solver.errors import SolverError
 from solver.types import FloatArray
 

@@ -8,15 +8,16 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from app.model import schema
-from app.model.document import FIRST_HANDLE, FIXED, FREE, SETTINGS, Document
+from app.model.document import Document
+from app.model.handles import FIXED, FREE
 from app.model.schema import SessionError
+from app.model.settings import SETTINGS
 from solver.mesh.mesh import Mesh
 from solver.softness.material import PRESETS, Material
 from solver.storage import read_bytes, write_atomically
@@ -91,10 +92,11 @@ def to_document(session: Session, mesh: Mesh, mesh_path: Path) -> Document:
         _give_role(document, data.get("fixed", []), FIXED, "fixed")
         for number, entry in enumerate(data.get("handles", [])):
             handle = document.new_handle(entry.get("name", ""))
-            handle = replace(handle, transform=entry.get("transform", handle.transform))
             document.change("handles", (*document.handles, handle))
+            if "transform" in entry:
+                document.change("pose", document.pose.moved(handle.key, entry["transform"]))
             where = f"handles[{number}].vertices"
-            _give_role(document, entry.get("vertices", []), FIRST_HANDLE + number, where)
+            _give_role(document, entry.get("vertices", []), handle.key, where)
         _set_softness(document, data.get("softness"))
     except SessionError as error:
         raise SessionError(f"{session.path}: {error}") from error
@@ -120,7 +122,7 @@ def write_session(path: Path, document: Document) -> None:
             {
                 "name": handle.name,
                 "vertices": document.vertices_of(handle.key).tolist(),
-                "transform": handle.transform.tolist(),
+                "transform": document.pose.of(handle.key).tolist(),
             }
             for handle in document.handles
         ],

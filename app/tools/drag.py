@@ -6,7 +6,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from app.model.document import Handle
+from app.model.handles import Handle
 from app.model.history import Gesture
 from app.workspace.camera import Ray
 from app.workspace.events import Input
@@ -30,7 +30,8 @@ class Drag:
         self._done: tuple[object, ...] = ()
         self._start = hit.position
         self._normal = press.camera.forward
-        A, t = handle.transform[:3, :3], handle.transform[:3, 3]
+        T = work.document.pose.of(handle.key)
+        A, t = T[:3, :3], T[:3, 3]
         # A session file may hold any affine transform, even one that flattens.
         self._grabbed = np.linalg.pinv(A) @ (hit.position - t)
 
@@ -44,8 +45,8 @@ class Drag:
             return
         self._done = asked
         transform = self._turned(target) if self._work.turn else self._shifted(target)
-        handles = self._work.document.with_handle(self._handle.key, transform=transform)
-        self._gesture.change("handles", handles)
+        pose = self._work.document.pose.moved(self._handle.key, transform)
+        self._gesture.change("pose", pose)
 
     def finish(self) -> None:
         """Keep the drag as one entry of the history."""
@@ -70,6 +71,6 @@ class Drag:
         return work.surface.orient(work.document, self._handle.key, self._grabbed, target)
 
     def _shifted(self, target: FloatArray) -> FloatArray:
-        transform = self._handle.transform.copy()
+        transform = self._work.document.pose.of(self._handle.key).copy()
         transform[:3, 3] = target - transform[:3, :3] @ self._grabbed
         return transform

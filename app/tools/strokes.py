@@ -7,7 +7,8 @@ from typing import ClassVar, Protocol
 
 import numpy as np
 
-from app.model.document import FREE, Document
+from app.model.document import Document
+from app.model.handles import FREE
 from app.model.history import Gesture
 from app.workspace.brush import MAX_DABS
 from app.workspace.camera import Ray, rays_between
@@ -133,7 +134,7 @@ class HandlePaint(RolePaint):
         document = work.document
         handle = document.find(key)
         assert handle is not None
-        super().__init__(f"Paint {handle.name}", document.role_of(key))
+        super().__init__(f"Paint {handle.name}", key)
         self._work = work
         self._handle = handle
         self._starts = len(document.vertices_of(key)) == 0
@@ -146,5 +147,6 @@ class HandlePaint(RolePaint):
         vertices = document.vertices_of(self._handle.key)
         rest, shown = document.mesh.vertices[vertices], self._work.positions[vertices]
         transform = np.eye(4) if np.array_equal(rest, shown) else rigid_motion(rest, shown)
-        if not np.array_equal(transform, self._handle.transform):
-            gesture.change("handles", document.with_handle(self._handle.key, transform=transform))
+        pose = document.pose.moved(self._handle.key, transform)
+        if pose != document.pose:
+            gesture.change("pose", pose)

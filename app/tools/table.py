@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.model.document import FIRST_HANDLE, FIXED
+from app.model.handles import FIRST_HANDLE, FIXED
 from app.model.history import Gesture
 from app.tools.drag import Drag
 from app.tools.softness_strokes import SOFTNESS_MODES, SoftnessEraser
@@ -40,7 +40,7 @@ def _softness(work: Workspace, press: Input, hit: Hit) -> Interaction:
 
 def _drag(work: Workspace, press: Input, hit: Hit) -> Interaction | None:
     document = work.document
-    handle = document.handle_of_role(int(document.role[hit.vertex]))
+    handle = document.find(int(document.role[hit.vertex]))
     if handle is None:
         return None
     work.activate(handle.key)

@@ -3,17 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
-import numpy as np
-
+from solver import Setup
 from solver.errors import SolverError
 from solver.linear.drag_model import DragModel
-from solver.softness.material import Material
 from solver.types import FloatArray, IntArray
-
-if TYPE_CHECKING:  # the solver's process has no use for the rest of the application
-    from app.model.document import Document
 
 
 class WorkerError(SolverError):
@@ -25,7 +19,7 @@ class BindRequest:
     """A snapshot of all that binding depends on.
 
     version: of the document it was taken from. mesh: a number that names the mesh.
-    keys: (h,) of the handles that have vertices, in the order of `handles` (index arrays).
+    keys: (h,) of the handles that have vertices, in the order of the setup's.
     rigid, transforms: the level and the (h, 4, 4) that the surface is posed at for a start.
     """
 
@@ -34,41 +28,14 @@ class BindRequest:
     keys: tuple[int, ...]
     vertices: FloatArray
     faces: IntArray
-    fixed: IntArray
-    handles: tuple[IntArray, ...]
-    softness: FloatArray
-    material: str | Material
-    bending_length: float
-    orientation: bool
+    setup: Setup
     rigid: int
     transforms: FloatArray
-
-    @staticmethod
-    def of(document: Document) -> BindRequest:
-        """The snapshot of a document; handles without a vertex stay out."""
-        regions = {handle.key: document.vertices_of(handle.key) for handle in document.handles}
-        regions = {key: vertices for key, vertices in regions.items() if len(vertices)}
-        transforms = [handle.transform for handle in document.handles if handle.key in regions]
-        return BindRequest(
-            version=document.bind_version,
-            mesh=document.serial,
-            keys=tuple(regions),
-            vertices=document.mesh.vertices,
-            faces=document.mesh.faces,
-            fixed=document.fixed,
-            handles=tuple(regions.values()),
-            softness=document.softness.copy(),
-            material=document.material,
-            bending_length=document.bending_length,
-            orientation=document.orientation,
-            rigid=document.rigid,
-            transforms=np.array(transforms).reshape(-1, 4, 4),
-        )
 
     @property
     def answer_size(self) -> int:
         """Bytes that are enough for the arrays of the answer."""
-        handles = len(self.handles)
+        handles = len(self.keys)
         return len(self.vertices) * (24 + 24 + 8 + 32 * handles) + 128 * handles**2 + 4096
 
     @property

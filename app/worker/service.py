@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import time
 import traceback
-from typing import Any
 
 import numpy as np
 
@@ -17,34 +16,18 @@ from solver.errors import SolverError
 from solver.linear.drag_model import DragModel
 from solver.types import FloatArray
 
-# What `Deformer` takes beside the mesh, and `Deformer.rebind` where it differs.
-ARGUMENTS = ("fixed", "handles", "softness", "material", "bending_length", "orientation")
 Last = tuple[BindRequest, Deformer]
 
 
 def bind(request: BindRequest, last: Last | None = None) -> Deformer:
     """The deformer for a request, sharing what it can with the last one of the same mesh."""
-    arguments = {name: getattr(request, name) for name in ARGUMENTS}
     if last is None or last[0].mesh != request.mesh:
-        deformer = Deformer(request.vertices, request.faces, **arguments)
+        deformer = Deformer.of(request.vertices, request.faces, request.setup)
     else:
-        before, shared = last
-        deformer = shared.rebind(
-            **{
-                name: value
-                for name, value in arguments.items()
-                if not _same(value, getattr(before, name))
-            }
-        )
+        deformer = last[1].rebound(request.setup)
     # What the first pose of a level prepares belongs to the bind, not to the first drag frame.
-    deformer.pose([np.eye(4)] * len(request.handles), rigid=request.rigid)
+    deformer.pose([np.eye(4)] * len(request.keys), rigid=request.rigid)
     return deformer
-
-
-def _same(one: Any, two: Any) -> bool:
-    if isinstance(one, tuple):
-        return len(one) == len(two) and all(map(np.array_equal, one, two))
-    return bool(np.array_equal(one, two)) if isinstance(one, np.ndarray) else bool(one == two)
 
 
 class SolverService:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.model.document import FIRST_HANDLE
+from app.model.handles import FIXED, FREE
 from app.workspace.workspace import Workspace
 from solver.types import FloatArray
 
@@ -70,10 +70,10 @@ SOFT_COLOR = viridis([0.75])[0]
 def role_colors(work: Workspace) -> FloatArray:
     """Fixed dark purple, free teal, the active handle yellow, the others a greener yellow."""
     document, active = work.document, work.active
-    palette = np.tile(OTHER_COLOR, (FIRST_HANDLE + len(document.handles), 1))
-    palette[:FIRST_HANDLE] = FREE_COLOR, FIXED_COLOR
-    if active is not None:
-        palette[document.role_of(active.key)] = ACTIVE_COLOR
+    palette = np.tile(OTHER_COLOR, (max(int(document.role.max()), FIXED) + 1, 1))
+    palette[[FREE, FIXED]] = FREE_COLOR, FIXED_COLOR
+    if active is not None and active.key < len(palette):
+        palette[active.key] = ACTIVE_COLOR
     return np.asarray(palette[document.role])
 
 

@@ -7,7 +7,8 @@ from functools import cached_property
 
 import numpy as np
 
-from app.model.document import FREE, Document
+from app.model.document import Document
+from app.model.handles import FREE
 from solver.measure.distortion import Distortion
 from solver.mesh.mesh import Mesh
 from solver.types import FloatArray

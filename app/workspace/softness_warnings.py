@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from app.model.document import FREE, Document
+from app.model.document import Document
+from app.model.handles import FREE
 from solver.softness.checks import check_softness
 from solver.types import IntArray
 

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import ClassVar, Literal, Protocol
 
-from app.model.document import Document, Handle, clock
+from app.model.document import Document, clock
+from app.model.handles import Handle
 from app.model.history import Gesture, History
 from app.worker.client import Worker
 from app.workspace.brush import Brush, Neighbours
@@ -19,8 +20,8 @@ from app.workspace.camera import Ray
 from app.workspace.events import Input
 from app.workspace.heat import Heat
 from app.workspace.latest import Latest
+from app.workspace.live_surface import LiveSurface
 from app.workspace.picking import Hit, Picker
-from app.workspace.pose import Surface
 from solver.types import FloatArray
 
 
@@ -54,8 +55,7 @@ class Workspace:
     tool: a name in tools.TOOLS.  map: a name in color_maps.MAPS.  turn: dragged handles turn by
     themselves.  message: the last one, None before the first.  export_path: where Export goes
     by default.  session_path: the session file last opened or saved.  interaction: the stroke or
-    drag in progress.  requested_version: the document's bind_version last taken care of.
-    bind_error: why that could not be bound, empty if it could or is not known yet.
+    drag in progress.
     """
 
     def __init__(
@@ -78,13 +78,11 @@ class Workspace:
         """Show another document, with a history of its own."""
         mesh = document.mesh
         self.worker.drop()
-        self.requested_version = 0
-        self.bind_error = ""
         self.interaction: Interaction | None = None
         self.document = document
         self.session_path = session_path
         self.history = History()
-        self.surface = Surface(mesh)
+        self.surface = LiveSurface(mesh, self.worker, self._complain)
         self.neighbours = Neighbours(mesh.faces, len(mesh.vertices))
         self.heat = Heat(mesh)
         self._picker = Picker(mesh.faces)
@@ -94,6 +92,9 @@ class Workspace:
     def say(self, text: str, kind: Literal["info", "error"] = "info") -> None:
         """Put a message on screen."""
         self.message = Message(text, kind, next(clock))
+
+    def _complain(self, text: str) -> None:
+        self.say(text, "error")
 
     @contextmanager
     def edit(self, label: str, merge: str = "") -> Iterator[Gesture]:

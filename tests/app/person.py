@@ -114,12 +114,18 @@ class Person:
         self.use("drag")
 
 
+def transforms(document: Document) -> list[FloatArray]:
+    """(4, 4) of each handle."""
+    return [document.pose.of(handle.key) for handle in document.handles]
+
+
 def state(document: Document) -> tuple[object, ...]:
     """Everything undoable, bit for bit."""
     return (
         document.role.tobytes(),
         document.softness.tobytes(),
-        tuple((h.key, h.name, h.transform.tobytes()) for h in document.handles),
+        document.handles,
+        document.pose.stacked(h.key for h in document.handles).tobytes(),
         document.material,
         document.bending_length,
         document.orientation,

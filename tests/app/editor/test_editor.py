@@ -12,7 +12,7 @@ from app.model.document import Document
 from app.tools.table import TOOLS
 from app.tools.tool import brush_rim
 from app.worker.requests import BindRequest
-from app.workspace.binding import BindError
+from app.workspace.live_surface import BindError
 from solver import Mesh
 from tests.app.person import IdleWorker, Person, sheet, slab, state
 

@@ -10,8 +10,8 @@ import pytest
 
 from app.editor import commands as c
 from app.editor.file_actions import load_document, open_command
-from app.worker.requests import BindRequest
 from app.worker.service import bind
+from app.workspace.snapshot import bind_request
 from solver import load_mesh
 from tests.app.person import Person, slab, state
 
@@ -61,8 +61,8 @@ def test_saving_never_replaces_the_open_mesh(saved: Person, tmp_path: Path) -> N
 def test_export_waits_for_the_bind_that_is_running(saved: Person, tmp_path: Path) -> None:
     document = saved.editor.document
     saved.do(c.SetSetting("bending_length", 0.2), c.Export(tmp_path / "out.obj"))
-    transforms = [document.handles[0].transform]
-    expected = bind(BindRequest.of(document)).pose(transforms, rigid=document.rigid)
+    transforms = [document.pose.of(document.handles[0].key)]
+    expected = bind(bind_request(document)).pose(transforms, rigid=document.rigid)
     np.testing.assert_allclose(load_mesh(tmp_path / "out.obj").vertices, expected, atol=1e-8)
 
 

@@ -15,15 +15,16 @@ from app.editor.commands import (
     SetTurn,
     Undo,
 )
-from app.model.document import FIRST_HANDLE, FIXED, FREE
+from app.model.handles import FIRST_HANDLE, FIXED, FREE
 from app.worker.client import Worker
 from app.worker.inline import InlineWorker
-from app.worker.requests import BindRequest, Refined, RefineRequest, Request, Result
+from app.worker.requests import Refined, RefineRequest, Request, Result
 from app.worker.service import bind
-from app.workspace import pose
+from app.workspace import pace
+from app.workspace.snapshot import bind_request
 from solver.linear.drag_model import DragModel
 from solver.types import FloatArray
-from tests.app.person import IdleWorker, Person, slab
+from tests.app.person import IdleWorker, Person, slab, transforms
 
 
 def size(positions: FloatArray) -> float:
@@ -34,9 +35,9 @@ def check_constraints(person: Person) -> None:
     """Handles are at T p, fixed vertices at rest."""
     document, X = person.editor.document, person.editor.positions
     rest = document.mesh.vertices
-    for handle in document.handles:
+    for handle, T in zip(document.handles, transforms(document), strict=True):
         own = document.vertices_of(handle.key)
-        moved = rest[own] @ handle.transform[:3, :3].T + handle.transform[:3, 3]
+        moved = rest[own] @ T[:3, :3].T + T[:3, 3]
         np.testing.assert_allclose(X[own], moved, atol=1e-9 * size(rest))
     np.testing.assert_array_equal(X[document.fixed], rest[document.fixed])
 
@@ -51,7 +52,7 @@ def test_handles_move_by_their_transform_and_fixed_vertices_stay(
         check_constraints(ready)
     ready.frame([16, 8, 0], "r")
     check_constraints(ready)
-    R = ready.editor.document.handles[0].transform[:3, :3]
+    R = transforms(ready.editor.document)[0][:3, :3]
     np.testing.assert_allclose(R @ R.T, np.eye(3), atol=1e-12)
     assert np.array_equal(R, np.eye(3)) != turn
     free = ready.editor.document.role == FREE
@@ -61,9 +62,9 @@ def test_handles_move_by_their_transform_and_fixed_vertices_stay(
 
 def test_the_grabbed_point_stays_under_the_cursor_in_the_screens_plane(ready: Person) -> None:
     ready.stroke([19, 2, 0], [16, 8, 0])
-    handle = ready.editor.document.handles[0]
+    T = transforms(ready.editor.document)[0]
     np.testing.assert_allclose(
-        handle.transform @ [19, 2, 0, 1], [16, 8, 0, 1], atol=1e-6 * size(ready.editor.positions)
+        T @ [19, 2, 0, 1], [16, 8, 0, 1], atol=1e-6 * size(ready.editor.positions)
     )
 
 
@@ -71,7 +72,7 @@ def test_a_second_drag_goes_on_from_the_first(ready: Person) -> None:
     ready.do(SetTurn(False))
     ready.stroke([19, 2, 0], [18, 6, 0])
     ready.stroke([18, 6, 0], [17, 7, 0])
-    transform = ready.editor.document.handles[0].transform
+    transform = transforms(ready.editor.document)[0]
     np.testing.assert_allclose(transform[:3, 3], [-2, 5, 0], atol=1e-5)
     assert len(ready.editor.history.done) == 4  # two strokes, two drags
 
@@ -112,7 +113,7 @@ def test_a_drag_waits_for_the_bind_it_needs() -> None:
     person.use("drag")
     editor = person.editor
     person.stroke([19, 2, 0], [16, 8, 0])
-    np.testing.assert_array_equal(editor.document.handles[0].transform, np.eye(4))
+    np.testing.assert_array_equal(transforms(editor.document)[0], np.eye(4))
     assert [entry.label for entry in editor.history.done] == ["Paint handle 1"]
     editor.close()
 
@@ -192,7 +193,7 @@ class FakeWorker(InlineWorker):
 
 def with_fake(person: Person) -> FakeWorker:
     fake = FakeWorker(person.editor.worker)
-    person.editor.worker = fake
+    person.editor.worker = person.editor.surface.worker = fake
     return fake
 
 
@@ -200,7 +201,7 @@ def linear(person: Person) -> FloatArray:
     """What level 0 is now."""
     bound = person.editor.surface.bound
     assert bound is not None
-    X: FloatArray = bound.model.pose([h.transform for h in person.editor.document.handles])
+    X: FloatArray = bound.model.pose(transforms(person.editor.document))
     return X
 
 
@@ -213,7 +214,7 @@ def is_linear(person: Person) -> bool:
 
 def test_a_level_too_slow_for_a_frame_comes_on_release(ready: Person) -> None:
     fake = with_fake(ready)
-    fake.seconds = 1.01 * pose.SLACK * pose.FRAME_BUDGET
+    fake.seconds = 1.01 * pace.SLACK * pace.FRAME_BUDGET
     shown = [is_linear(ready) for _ in ready.hold(PATH)]
     # At rest all levels are one; the first answer tells that the level is slow.
     assert shown == [True, False, True, True, True, True]
@@ -233,7 +234,7 @@ def test_a_level_too_slow_for_a_frame_comes_on_release(ready: Person) -> None:
 
 def test_a_drag_does_not_flicker_between_levels(ready: Person) -> None:
     fake = with_fake(ready)
-    limit = pose.FRAME_BUDGET
+    limit = pace.FRAME_BUDGET
     times = [limit, limit, 1.2 * limit, 0.5 * limit, 2 * limit, 0.1 * limit]
     shown = []
     for number in ready.hold([*PATH, [13, 10, 0]]):
@@ -264,14 +265,13 @@ def test_handles_do_not_lag_behind_answers_that_come_late(ready: Person) -> None
     ready.editor.settle()
     assert not ready.editor.busy
     document = ready.editor.document
-    transforms = [handle.transform for handle in document.handles]
-    alone = bind(BindRequest.of(document)).pose(transforms, rigid=1)
+    alone = bind(bind_request(document)).pose(transforms(document), rigid=1)
     np.testing.assert_allclose(ready.editor.positions, alone, atol=1e-8)
 
 
 def test_a_drag_goes_on_with_the_old_bind_while_another_one_is_made(ready: Person) -> None:
     old = ready.editor.surface.bound
-    ready.editor.worker = IdleWorker()
+    ready.editor.worker = ready.editor.surface.worker = IdleWorker()
     ready.do(SetSetting("bending_length", 0.05))
     assert ready.editor.hint == "Binding ..."
     for _ in ready.hold(PATH[:3]):
@@ -303,7 +303,7 @@ def test_a_pose_that_is_not_finite_is_refused_with_a_message(
     # The drag is over and its handle back where it was before.
     assert not ready.editor.captures
     assert len(ready.editor.history.done) == entries
-    np.testing.assert_array_equal(ready.editor.document.handles[0].transform, np.eye(4))
+    np.testing.assert_array_equal(transforms(ready.editor.document)[0], np.eye(4))
 
 
 def test_a_refused_pose_is_not_exported(ready: Person, tmp_path: Path) -> None:
@@ -322,7 +322,7 @@ def test_a_transform_that_flattens_can_still_be_dragged(ready: Person) -> None:
     """Session files may hold such transforms."""
     document = ready.editor.document
     flat = np.diag([1.0, 1.0, 0.0, 1.0])
-    document.change("handles", document.with_handle(document.handles[0].key, transform=flat))
+    document.change("pose", document.pose.moved(document.handles[0].key, flat))
     ready.stroke([19, 2, 0], [17, 6, 0])
     assert np.isfinite(ready.editor.positions).all()
     assert ready.editor.history.done[-1].label == "Drag handle 1"

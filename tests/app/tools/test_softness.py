@@ -12,7 +12,7 @@ from app.bundled import DEFAULT_SESSION
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.editor.file_actions import load_document
-from app.model.document import FIXED
+from app.model.handles import FIXED
 from app.model.session import read_session, to_document, write_session
 from app.tools.softness_strokes import SOFTNESS_MODES
 from app.worker.inline import InlineWorker

@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import ArrayLike
 
 from app.editor.commands import SetBrush, Undo
-from app.model.document import FIRST_HANDLE, FIXED, FREE
+from app.model.handles import FIRST_HANDLE, FIXED, FREE
 from solver import Mesh
 from tests.app.person import Person, sheet, slab
 

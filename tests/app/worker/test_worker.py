@@ -30,9 +30,10 @@ from app.worker.requests import (
     WorkerError,
 )
 from app.worker.service import SolverService, bind
+from app.workspace.snapshot import bind_request
 from solver import MaterialError
 from solver.types import FloatArray
-from tests.app.person import Person, slab
+from tests.app.person import Person, slab, transforms
 
 ROOT = Path(__file__).resolve().parents[3]
 WAIT = 60.0
@@ -113,19 +114,20 @@ def blocks() -> set[str]:
 
 def test_a_request_is_a_snapshot() -> None:
     made = document()
-    request = BindRequest.of(made)
-    fixed, softness = request.fixed.copy(), request.softness.copy()
+    request = bind_request(made)
+    assert request.setup.softness is not None
+    fixed, softness = request.setup.fixed.copy(), request.setup.softness.copy()
     made.change("role", 0, np.arange(len(made.role)))
     made.change("softness", 1.0, np.arange(len(made.role)))
-    np.testing.assert_array_equal(request.fixed, fixed)
-    np.testing.assert_array_equal(request.softness, softness)
-    assert BindRequest.of(made).version > request.version
+    np.testing.assert_array_equal(request.setup.fixed, fixed)
+    np.testing.assert_array_equal(request.setup.softness, softness)
+    assert bind_request(made).version > request.version
 
 
 def test_handles_without_vertices_stay_out() -> None:
     made = document()
     made.change("handles", (*made.handles, made.new_handle()))
-    assert BindRequest.of(made).keys == (made.handles[0].key,)
+    assert bind_request(made).keys == (made.handles[0].key,)
 
 
 # Results
@@ -134,7 +136,7 @@ def test_handles_without_vertices_stay_out() -> None:
 def test_a_bind_and_a_refinement_equal_those_without_a_process(
     solver_process: ProcessWorker,
 ) -> None:
-    request = BindRequest.of(document())
+    request = bind_request(document())
     solver_process.request(request)
     assert solver_process.busy
     assert solver_process.binding
@@ -161,7 +163,7 @@ def test_a_bind_and_a_refinement_equal_those_without_a_process(
 
 
 def test_results_are_not_written_over_by_later_ones(solver_process: ProcessWorker) -> None:
-    request = BindRequest.of(document())
+    request = bind_request(document())
     solver_process.request(request)
     (bound,) = results(solver_process)
     assert isinstance(bound, Bound)
@@ -180,7 +182,7 @@ def test_results_are_not_written_over_by_later_ones(solver_process: ProcessWorke
 def test_a_larger_mesh_gets_larger_memory(solver_process: ProcessWorker) -> None:
     before = blocks()
     for columns in (6, 60):
-        request = BindRequest.of(document(columns))
+        request = bind_request(document(columns))
         solver_process.request(request)
         (bound,) = results(solver_process)
         assert isinstance(bound, Bound)
@@ -195,7 +197,7 @@ def test_of_the_requests_that_wait_the_newest_wins(solver_process: ProcessWorker
     with frozen(solver_process):
         for value in (0.01, 0.02, 0.03, 0.04):
             made.change("bending_length", value)
-            requests.append(BindRequest.of(made))
+            requests.append(bind_request(made))
             solver_process.request(requests[-1])
             assert solver_process.busy
     # the first was running already, the others never ran
@@ -221,9 +223,9 @@ def test_what_goes_wrong_with_a_superseded_bind_is_nobodys_business(
 ) -> None:
     made = document()
     with frozen(solver_process):
-        for value in (-1.0, 0.02):
-            made.change("bending_length", value)
-            request = BindRequest.of(made)
+        for value in (2.0, 0.5):
+            made.change("softness", value, np.array([0]))
+            request = bind_request(made)
             solver_process.request(request)
     (bound,) = results(solver_process)
     assert isinstance(bound, Bound)
@@ -233,9 +235,9 @@ def test_what_goes_wrong_with_a_superseded_bind_is_nobodys_business(
 def test_a_bind_brings_the_pose_of_its_handles_along(solver_process: ProcessWorker) -> None:
     made = document()
     for transform, rigid in ((np.eye(4), 1), (TARGET, 0), (TARGET, 1), (TARGET, 3)):
-        made.change("handles", made.with_handle(made.handles[0].key, transform=transform))
+        made.change("pose", made.pose.moved(made.handles[0].key, transform))
         made.change("rigid", rigid)
-        request = BindRequest.of(made)
+        request = bind_request(made)
         solver_process.request(request)
         (bound,) = results(solver_process)
         assert isinstance(bound, Bound)
@@ -252,11 +254,11 @@ def test_a_refinement_for_a_bind_no_longer_in_use_is_dropped(
     solver_process: ProcessWorker,
 ) -> None:
     made = document()
-    first = BindRequest.of(made)
+    first = bind_request(made)
     solver_process.request(first)
     results(solver_process)
     made.change("bending_length", 0.05)
-    second = BindRequest.of(made)
+    second = bind_request(made)
     solver_process.request(second)
     solver_process.request(refinement(first))
     (bound,) = results(solver_process)
@@ -265,10 +267,10 @@ def test_a_refinement_for_a_bind_no_longer_in_use_is_dropped(
 
 
 def test_what_was_dropped_is_never_polled(solver_process: ProcessWorker) -> None:
-    solver_process.request(BindRequest.of(document()))
+    solver_process.request(bind_request(document()))
     solver_process.drop()
     assert not solver_process.busy
-    request = BindRequest.of(document())
+    request = bind_request(document())
     solver_process.request(request)
     (bound,) = results(solver_process)
     assert isinstance(bound, Bound)
@@ -283,13 +285,13 @@ def test_a_bind_of_another_mesh_does_not_wait_for_a_long_one(
     solver_process: ProcessWorker, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(client, "PATIENCE", 0.0)
-    first = BindRequest.of(document())
+    first = bind_request(document())
     solver_process.request(first)
     results(solver_process)
     pid = solver_process.pid
-    solver_process.request(BindRequest.of(document(400)))
+    solver_process.request(bind_request(document(400)))
     solver_process.drop()
-    other = BindRequest.of(document())
+    other = bind_request(document())
     solver_process.request(other)
     (bound,) = results(solver_process)
     assert isinstance(bound, Bound)
@@ -298,7 +300,7 @@ def test_a_bind_of_another_mesh_does_not_wait_for_a_long_one(
 
 
 def test_waiting_ends_in_time(solver_process: ProcessWorker) -> None:
-    solver_process.request(BindRequest.of(document()))
+    solver_process.request(bind_request(document()))
     assert not solver_process.wait(0.0)
     assert solver_process.wait(WAIT)
 
@@ -309,17 +311,17 @@ def test_waiting_ends_in_time(solver_process: ProcessWorker) -> None:
 @pytest.mark.parametrize("kind", ["process", "inline"])
 def test_a_failure_arrives_typed_and_leaves_the_last_bind_in_use(kind: str) -> None:
     made, used = document(), ProcessWorker() if kind == "process" else InlineWorker()
-    first = BindRequest.of(made)
+    first = bind_request(made)
     used.request(first)
     results(used)
-    made.change("bending_length", -1.0)
-    wrong = BindRequest.of(made)
+    made.change("softness", 2.0, np.array([0]))
+    wrong = bind_request(made)
     used.request(wrong)
     (failure,) = results(used)
     assert isinstance(failure, Failure)
     assert failure.request is wrong
     assert isinstance(failure.error, MaterialError)
-    assert "bending_length" in str(failure.error)
+    assert "softness" in str(failure.error)
     wish = refinement(first)
     used.request(wish)
     (refined,) = results(used)
@@ -329,8 +331,8 @@ def test_a_failure_arrives_typed_and_leaves_the_last_bind_in_use(kind: str) -> N
 
 
 def test_any_other_error_arrives_as_one_of_the_worker(capfd: pytest.CaptureFixture[str]) -> None:
-    request = BindRequest.of(document())
-    object.__setattr__(request, "handles", None)
+    request = bind_request(document())
+    object.__setattr__(request, "keys", None)
     answer = SolverService().answer(request)
     assert isinstance(answer.value, WorkerError)
     assert "TypeError" in str(answer.value)
@@ -338,7 +340,7 @@ def test_any_other_error_arrives_as_one_of_the_worker(capfd: pytest.CaptureFixtu
 
 
 def test_a_refinement_needs_its_bind() -> None:
-    bench, request = SolverService(), BindRequest.of(document())
+    bench, request = SolverService(), bind_request(document())
     assert isinstance(bench.answer(refinement(request)).value, WorkerError)
     bench.answer(request)
     assert not isinstance(bench.answer(refinement(request)).value, WorkerError)
@@ -350,7 +352,7 @@ def test_a_refinement_needs_its_bind() -> None:
 def test_what_a_killed_process_was_doing_is_done_by_the_next(
     solver_process: ProcessWorker,
 ) -> None:
-    request = BindRequest.of(document())
+    request = bind_request(document())
     solver_process.request(request)
     kill(solver_process)
     restarted, bound = results(solver_process)
@@ -368,7 +370,7 @@ def test_what_a_killed_process_was_doing_is_done_by_the_next(
 def test_a_process_that_dies_idle_is_replaced_and_it_says_so(
     solver_process: ProcessWorker,
 ) -> None:
-    request = BindRequest.of(document())
+    request = bind_request(document())
     solver_process.request(request)
     results(solver_process)
     pid = solver_process.pid
@@ -385,7 +387,7 @@ def test_a_process_that_dies_idle_is_replaced_and_it_says_so(
 def test_a_request_that_ends_every_process_is_an_error_in_the_end(
     solver_process: ProcessWorker,
 ) -> None:
-    request = BindRequest.of(document())
+    request = bind_request(document())
     solver_process.request(request)
     results(solver_process)
     wish = refinement(request)
@@ -414,7 +416,8 @@ def test_a_drag_goes_on_when_the_process_dies(solver_process: ProcessWorker) -> 
         if number:
             own = person.editor.document.vertices_of(handle.key)
             rest = person.editor.document.mesh.vertices[own]
-            moved = rest @ handle.transform[:3, :3].T + handle.transform[:3, 3]
+            T = person.editor.document.pose.of(handle.key)
+            moved = rest @ T[:3, :3].T + T[:3, 3]
             np.testing.assert_allclose(person.editor.positions[own], moved, atol=1e-8)
         if number == 2:
             kill(solver_process)
@@ -423,8 +426,7 @@ def test_a_drag_goes_on_when_the_process_dies(solver_process: ProcessWorker) -> 
     assert person.editor.message is not None
     assert person.editor.message.text == "The solver stopped and was started again"
     editor = person.editor
-    transforms = [handle.transform for handle in editor.document.handles]
-    alone = bind(BindRequest.of(editor.document)).pose(transforms, rigid=1)
+    alone = bind(bind_request(editor.document)).pose(transforms(editor.document), rigid=1)
     np.testing.assert_allclose(editor.positions, alone, atol=1e-8)
     assert editor.history.done[-1].label == "Drag handle 1"
 
@@ -436,12 +438,12 @@ def test_a_drag_goes_on_when_the_process_dies(solver_process: ProcessWorker) -> 
 def test_closing_leaves_no_process_and_no_memory() -> None:
     before = blocks()
     made = ProcessWorker()
-    made.request(BindRequest.of(document()))
+    made.request(bind_request(document()))
     results(made)
     pid = made.pid
     assert pid is not None
     (name,) = blocks() - before or {""}
-    made.request(BindRequest.of(document(200)))  # in the middle of something
+    made.request(bind_request(document(200)))  # in the middle of something
     made.close()
     made.close()
     assert is_gone(pid)
@@ -450,7 +452,7 @@ def test_closing_leaves_no_process_and_no_memory() -> None:
         with pytest.raises(FileNotFoundError):
             SharedMemory(name)
     assert not made.busy
-    made.request(BindRequest.of(document()))
+    made.request(bind_request(document()))
     assert made.poll() == []
     assert made.pid is None
 
@@ -458,11 +460,11 @@ def test_closing_leaves_no_process_and_no_memory() -> None:
 SCRIPT = """
 import sys
 from app.worker.client import ProcessWorker
-from tests.app.worker.test_worker import BindRequest, document, results
+from tests.app.worker.test_worker import bind_request, document, results
 
 if __name__ == "__main__":
     worker = ProcessWorker()
-    worker.request(BindRequest.of(document()))
+    worker.request(bind_request(document()))
     results(worker)
     print(worker.pid, flush=True)
     if sys.argv[1] == "killed":
@@ -504,7 +506,7 @@ def test_the_process_knows_no_window_and_its_start_holds_nobody_up() -> None:
     made = process.SolverProcess()
     made.start()
     assert os.environ == environment
-    made.send(BindRequest.of(document()))
+    made.send(bind_request(document()))
     assert made.receive() is None  # it still loads, and nobody waited for that
     made.wait(WAIT)
     assert made.receive() is not None
@@ -517,7 +519,7 @@ def test_the_process_knows_no_window_and_its_start_holds_nobody_up() -> None:
 @pytest.mark.parametrize("change", ["nothing", "softness", "material", "role", "orientation"])
 def test_sharing_the_last_bind_does_not_change_the_surface(change: str) -> None:
     made = document()
-    first = BindRequest.of(made)
+    first = bind_request(made)
     last = first, bind(first)
     middle = np.flatnonzero(np.abs(made.mesh.vertices[:, 0] - 6) < 2)
     if change == "softness":
@@ -528,7 +530,7 @@ def test_sharing_the_last_bind_does_not_change_the_surface(change: str) -> None:
         made.change("role", 1, middle[:3])
     elif change == "orientation":
         made.change("orientation", False)
-    request = BindRequest.of(made)
+    request = bind_request(made)
     shared, alone = (
         made_from.pose([TARGET], rigid=1) for made_from in (bind(request, last), bind(request))
     )
@@ -536,6 +538,6 @@ def test_sharing_the_last_bind_does_not_change_the_surface(change: str) -> None:
 
 
 def test_another_mesh_is_bound_from_scratch() -> None:
-    first, other = BindRequest.of(document()), BindRequest.of(document(7))
+    first, other = bind_request(document()), bind_request(document(7))
     X = bind(other, (first, bind(first))).pose([np.eye(4)])
     np.testing.assert_array_equal(X, other.vertices)

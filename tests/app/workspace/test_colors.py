@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 
 from app.editor import commands as c
-from app.model.document import FIRST_HANDLE, FIXED, FREE
+from app.model.handles import FIRST_HANDLE, FIXED, FREE
 from app.workspace.color_maps import viridis
 from tests.app.person import Person
 

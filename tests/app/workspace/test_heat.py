@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from app.editor import commands as c
-from app.model.document import FREE
+from app.model.handles import FREE
 from app.workspace import heat
 from app.workspace.color_maps import MAPS, diverging, rising
 from tests.app.person import Person

@@ -1,0 +1,37 @@
+"""The numbers and switches of the solver that a person can set, with the values each takes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Setting:
+    """Its default, and what values it takes."""
+
+    default: Any
+    accepts: Callable[[Any], bool]
+    expected: str
+
+
+def is_number(value: Any) -> bool:
+    """A finite real number; a boolean is none."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return False
+    try:
+        return math.isfinite(value)
+    except OverflowError:  # an integer beyond every float
+        return False
+
+
+SETTINGS: Mapping[str, Setting] = MappingProxyType(
+    {
+        "bending_length": Setting(0.01, lambda v: is_number(v) and v > 0, "a positive number"),
+        "orientation": Setting(True, lambda v: isinstance(v, bool), "true or false"),
+        "rigid": Setting(1, lambda v: type(v) is int and v >= 0, "an integer, 0 or more"),
+    }
+)

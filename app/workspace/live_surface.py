@@ -1,0 +1,246 @@
+"""The surface on screen: follows the document, asks the solver, poses, and knows what failed."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+import numpy as np
+
+from app.model.document import Document, clock
+from app.worker.client import Worker
+from app.worker.requests import Bound, Failure, Refined, RefineRequest, Restarted, Result
+from app.workspace.pace import Pace
+from app.workspace.snapshot import bind_request
+from solver.errors import SolverError
+from solver.mesh.mesh import Mesh
+from solver.types import FloatArray
+
+
+class BindError(SolverError):
+    """What the document asks for could not be bound."""
+
+
+class PoseError(SolverError):
+    """The solver returned positions that cannot be shown."""
+
+
+class LiveSurface:
+    """Positions (n, 3) on screen; a new array each time they change, never written in place.
+
+    Level 0 is posed here; other levels are asked of the worker. A drag shows its newest answer,
+    brought along to where the handles are by now; where a level takes longer than a frame it
+    shows level 0, until the mouse is released.
+
+    worker: what binds and refines.  version: grows with each change.
+    bound: the bind in use, None at rest.
+    bind_error: why the last bind failed, empty if it did not.
+    orient_seconds, pose_seconds: what the last drag frame spent.
+    """
+
+    def __init__(self, mesh: Mesh, worker: Worker, say: Callable[[str], None]) -> None:
+        """say: what tells the person that something went wrong."""
+        self._rest = mesh.vertices
+        self.worker = worker
+        self._say = say
+        self._pace = Pace()
+        self._requested = 0  # the document's bind_version last taken care of
+        self.positions = mesh.vertices
+        self.version = next(clock)
+        self.bind_error = ""
+        self.orient_seconds = self.pose_seconds = 0.0
+        self._attach(None)
+
+    def follow(self, document: Document, editing: bool, dragging: bool) -> None:
+        """Take what the worker has finished, ask for what the document needs, pose the surface.
+
+        editing: a stroke or drag is under way: no bind is asked for.  dragging: it moves handles.
+        Raises SolverError if there is no pose to show.
+        """
+        if not editing:
+            self._request_bind(document)
+        self._take_results()
+        self._pace.choose(document.rigid, dragging, self.worker.binding)
+        # Again if a bind arrives meanwhile: what was wished for was for the one before.
+        while (wish := self._wish(document)) is not None:
+            self.worker.request(wish)
+            self._take_results()
+        self._show(document)
+
+    def settle(self, document: Document) -> None:
+        """Wait until the surface is what the document asks for.
+
+        Raises BindError if it cannot be, SolverError as `follow`.
+        """
+        self.follow(document, False, False)
+        while self.worker.busy:
+            self.worker.wait()
+            self.follow(document, False, False)
+        if self.bind_error:
+            raise BindError(self.bind_error)
+        asked = self._asked
+        if self._refused and asked and _answers(asked, self._transforms(document), document.rigid):
+            raise self._refused
+
+    def orient(
+        self, document: Document, key: int, grabbed: FloatArray, target: FloatArray
+    ) -> FloatArray:
+        """The best rigid transform (4, 4) of a handle that takes rest point `grabbed` to `target`.
+
+        The handle must be bound (`holds`). Raises SolverError.
+        """
+        assert self.bound is not None
+        start = time.perf_counter()
+        number = self.bound.request.keys.index(key)
+        transform = self.bound.model.orient(number, grabbed, target, self._transforms(document))
+        self.orient_seconds = time.perf_counter() - start
+        if not np.isfinite(transform).all():
+            raise PoseError("the solver returned a rotation that is not finite; drag ended")
+        return transform
+
+    def holds(self, key: int) -> bool:
+        """Whether the bind in use knows this handle."""
+        return self.bound is not None and key in self.bound.request.keys
+
+    @property
+    def slow(self) -> bool:
+        """Whether some rigid level takes longer than a frame."""
+        return self._pace.slow
+
+    def _request_bind(self, document: Document) -> None:
+        if document.bind_version == self._requested:
+            return
+        self._requested = document.bind_version
+        self.bind_error = ""
+        request = bind_request(document)
+        if request.keys:
+            self.worker.request(request)
+        else:
+            self.worker.drop()
+            self._attach(None)
+
+    def _take_results(self) -> None:
+        """All of them, even if one is an error that has to be raised."""
+        refusal: SolverError | None = None
+        for result in self.worker.poll():
+            try:
+                self._take(result)
+            except SolverError as error:
+                refusal = error
+        if refusal is not None:
+            raise refusal
+
+    def _take(self, result: Result) -> None:
+        if isinstance(result, Bound):
+            self._attach(result)
+            if result.pose is not None:
+                self._take_pose(result.pose)
+        elif isinstance(result, Refined):
+            self._take_pose(result)
+        elif isinstance(result, Restarted):
+            self._say("The solver stopped and was started again")
+        else:
+            self._take_failure(result)
+
+    def _attach(self, bound: Bound | None) -> None:
+        """Use another bind from the next pose on; None: the rest shape."""
+        self.bound = bound
+        self._pace.forget()
+        self._asked: RefineRequest | None = None
+        self._refused: SolverError | None = None
+        self._refined: Refined | None = None
+        self._shown: tuple[object, ...] = ()
+
+    def _take_pose(self, refined: Refined) -> None:
+        """Raises PoseError, and keeps what was before, if it is no use."""
+        if self.bound is None or refined.request.version != self.bound.request.version:
+            return
+        self._pace.learn(refined.request.rigid, refined.seconds)
+        try:
+            _check(refined.positions)
+        except PoseError as error:
+            self._refuse(refined.request, error)
+            raise
+        self._refined = refined
+
+    def _take_failure(self, failure: Failure) -> None:
+        if isinstance(failure.request, RefineRequest):
+            self._refuse(failure.request, failure.error)
+            raise failure.error
+        self.bind_error = f"Binding failed: {failure.error}"
+        self._say(self.bind_error)
+
+    def _refuse(self, request: RefineRequest, error: SolverError) -> None:
+        """The worker cannot give what it was asked for."""
+        if request is self._asked:
+            self._refused = error
+
+    def _wish(self, document: Document) -> RefineRequest | None:
+        """What the worker has to be asked for this frame's positions, None for nothing new."""
+        transforms = self._transforms(document)
+        linear = document.rigid == 0 or self._pace.linear
+        if self.bound is None or linear or _at_rest(transforms):
+            return None
+        known = [self._asked, self._refined.request if self._refined else None]
+        if any(one and _answers(one, transforms, document.rigid) for one in known):
+            return None
+        request = self.bound.request
+        self._asked = RefineRequest(
+            request.version, transforms, document.rigid, len(request.vertices)
+        )
+        self._refused = None
+        return self._asked
+
+    def _show(self, document: Document) -> None:
+        """Pose the surface as the document asks, as far as that is known by now.
+
+        Raises SolverError, and keeps the positions, if there is no pose to show.
+        """
+        transforms, pace = self._transforms(document), self._pace
+        modes = document.rigid, pace.dragging, pace.linear
+        wanted = (self.bound, transforms.tobytes(), *modes, self._refined)
+        if wanted == self._shown:
+            return
+        self._shown = wanted  # first: a pose that is refused is not tried again every frame
+        start = time.perf_counter()
+        positions = self._posed(transforms, document.rigid)
+        self.pose_seconds = time.perf_counter() - start
+        if not pace.linear:
+            self.pose_seconds += pace.cost(document.rigid)
+        if positions is not self.positions:
+            _check(positions)
+            self.positions = positions
+            self.version = next(clock)
+
+    def _posed(self, transforms: FloatArray, level: int) -> FloatArray:
+        """The best that is known of the surface: exact, unless a drag or an answer is under way."""
+        refined = self._refined if self._refined and self._refined.request.rigid == level else None
+        if self.bound is None or _at_rest(transforms):
+            return self._rest
+        if refined is not None and _answers(refined.request, transforms, level):
+            return refined.positions
+        if level == 0 or self._pace.linear:
+            return self.bound.model.pose(transforms)
+        if not self._pace.dragging:
+            return self.positions  # until the answer is there
+        base, start = self._rest, np.broadcast_to(np.eye(4), transforms.shape)
+        if refined is not None:
+            base, start = refined.positions, refined.request.transforms
+        return self.bound.model.carry(base, start, transforms)
+
+    def _transforms(self, document: Document) -> FloatArray:
+        """(h, 4, 4): those of the handles in the order the bind knows them."""
+        return document.pose.stacked(self.bound.request.keys if self.bound else ())
+
+
+def _at_rest(transforms: FloatArray) -> bool:
+    return bool((transforms == np.eye(4)).all())
+
+
+def _answers(request: RefineRequest, transforms: FloatArray, level: int) -> bool:
+    return request.rigid == level and np.array_equal(request.transforms, transforms)
+
+
+def _check(positions: FloatArray) -> None:
+    if not np.isfinite(positions).all():
+        raise PoseError("the solver returned positions that are not finite; pose not shown")

@@ -1,0 +1,21 @@
+"""A snapshot of the document: all that a bind depends on, for the solver's process."""
+
+from __future__ import annotations
+
+from app.model.document import Document
+from app.worker.requests import BindRequest
+
+
+def bind_request(document: Document) -> BindRequest:
+    """The bind that a document asks for as it is now; handles without a vertex stay out."""
+    keys = document.bound_keys
+    return BindRequest(
+        version=document.bind_version,
+        mesh=document.serial,
+        keys=keys,
+        vertices=document.mesh.vertices,
+        faces=document.mesh.faces,
+        setup=document.setup(),
+        rigid=document.rigid,
+        transforms=document.pose.stacked(keys),
+    )
