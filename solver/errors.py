@@ -61,7 +61,7 @@ class FactorizationError(SolverError):
 
     >>> from scipy.sparse import csc_array
     >>> from solver.factor import factorize
-    >>> factorize(csc_array([[1.0, 0.0], [0.0, -1.0]]))
+    >>> factorize(csc_array([[1.0, 1.0], [1.0, 1.0]]))  # singular
     Traceback (most recent call last):
     solver.errors.FactorizationError: ...
     """
