@@ -6,13 +6,13 @@ from pathlib import Path
 
 import numpy as np
 
-from assets import figure
-from assets.cactus import cactus
-from assets.elbow import session_text
-from assets.objtext import quad_text, triangle_text
-from assets.primitives import bar, bumpy_plane, cylinder
-from assets.quads import dog
-from assets.surface import Enlargement, polygonise, remesh
+from assets.generator import figure
+from assets.generator.cactus import cactus
+from assets.generator.elbow import session_text
+from assets.generator.objtext import quad_text, triangle_text
+from assets.generator.primitives import bar, bumpy_plane, cylinder
+from assets.generator.quads import dog
+from assets.generator.surface import Enlargement, polygonise, remesh
 from solver.types import FloatArray, IntArray
 
 FOLDER = Path(__file__).resolve().parent

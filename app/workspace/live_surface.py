@@ -10,8 +10,8 @@ import numpy as np
 from app.model.document import Document, clock
 from app.worker.client import Worker
 from app.worker.requests import Bound, Failure, Refined, RefineRequest, Restarted, Result
+from app.worker.snapshot import bind_request
 from app.workspace.pace import Pace
-from app.workspace.snapshot import bind_request
 from solver.errors import SolverError
 from solver.mesh.mesh import Mesh
 from solver.types import FloatArray

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from app.model.session import read_session
-from assets.figure import ARM_DEPTH, ARM_HEIGHT, ELBOW
-from assets.primitives import cylinder
+from assets.generator.figure import ARM_DEPTH, ARM_HEIGHT, ELBOW
+from assets.generator.primitives import cylinder
 from benchmarks.cases import survey
 from benchmarks.cases.case import Case
 from solver import load_mesh

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 from scipy.spatial import Delaunay
 
-from assets.primitives import grid_triangles, regular_triangles
+from assets.generator.primitives import grid_triangles, regular_triangles
 from solver.geometry.topology import Topology
 from solver.measure.sections import Section
 from solver.types import FloatArray, IntArray

@@ -13,8 +13,8 @@ import pytest
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from assets import elbow, figure, objtext, primitives, quads
-from assets.implicit import gradient
+from assets.generator import elbow, figure, objtext, primitives, quads
+from assets.generator.implicit import gradient
 from solver.types import BoolArray, FloatArray, IntArray
 
 ASSETS = Path(__file__).resolve().parents[2] / "assets"

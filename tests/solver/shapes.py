@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from assets import primitives
+from assets.generator import primitives
 from solver.errors import SolverError
 from solver.geometry.motions import rotation
 from solver.types import FloatArray, IntArray

@@ -11,7 +11,7 @@ import pytest
 from app.editor import commands as c
 from app.editor.file_actions import load_document, open_command
 from app.worker.service import bind
-from app.workspace.snapshot import bind_request
+from app.worker.snapshot import bind_request
 from solver import load_mesh
 from tests.app.person import Person, slab, state
 

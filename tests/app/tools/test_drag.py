@@ -20,8 +20,8 @@ from app.worker.client import Worker
 from app.worker.inline import InlineWorker
 from app.worker.requests import Refined, RefineRequest, Request, Result
 from app.worker.service import bind
+from app.worker.snapshot import bind_request
 from app.workspace import pace
-from app.workspace.snapshot import bind_request
 from solver.linear.drag_model import DragModel
 from solver.types import FloatArray
 from tests.app.person import IdleWorker, Person, slab, transforms

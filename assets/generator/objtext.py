@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from assets.quads import QuadMesh, vertex_normals
+from assets.generator.quads import QuadMesh, vertex_normals
 from solver.types import FloatArray, IntArray
 
 PROGRAM = "made by assets/generate.py"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from assets.implicit import Field, chain, cone, cut, ellipsoid, loft, mirrored, union
+from assets.generator.implicit import Field, chain, cone, cut, ellipsoid, loft, mirrored, union
 
 X, Y, Z = 0, 1, 2
 SHOULDER, ELBOW, WRIST = 0.175, 0.465, 0.755

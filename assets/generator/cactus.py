@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from assets.implicit import Field, chain, cut, union
+from assets.generator.implicit import Field, chain, cut, union
 
 Y = 1
 TRUNK = [(0.0, -0.3, 0.0), (0.0, 1.85, 0.0)], [0.24, 0.21]

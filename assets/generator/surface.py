@@ -10,7 +10,7 @@ import numpy as np
 from scipy.sparse import coo_matrix, diags_array
 from skimage.measure import marching_cubes
 
-from assets.implicit import Field, gradient, project
+from assets.generator.implicit import Field, gradient, project
 from solver.types import FloatArray, IntArray
 
 BLOCK = 4

@@ -6,7 +6,7 @@ import json
 
 import numpy as np
 
-from assets.figure import ELBOW, WRIST
+from assets.generator.figure import ELBOW, WRIST
 from solver.types import FloatArray, IntArray
 
 FIXED_BELOW = 0.25

@@ -1,0 +1,61 @@
+"""What goes wrong in the solver arrives typed, and the last bind stays in use."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from app.worker.client import ProcessWorker
+from app.worker.inline import InlineWorker
+from app.worker.requests import (
+    Failure,
+    Refined,
+    WorkerError,
+)
+from app.worker.service import SolverService
+from app.worker.snapshot import bind_request
+from solver import MaterialError
+from tests.app.worker.work import (
+    document,
+    expected,
+    refinement,
+    results,
+)
+
+
+@pytest.mark.parametrize("kind", ["process", "inline"])
+def test_a_failure_arrives_typed_and_leaves_the_last_bind_in_use(kind: str) -> None:
+    made, used = document(), ProcessWorker() if kind == "process" else InlineWorker()
+    first = bind_request(made)
+    used.request(first)
+    results(used)
+    made.change("softness", 2.0, np.array([0]))
+    wrong = bind_request(made)
+    used.request(wrong)
+    (failure,) = results(used)
+    assert isinstance(failure, Failure)
+    assert failure.request is wrong
+    assert isinstance(failure.error, MaterialError)
+    assert "softness" in str(failure.error)
+    wish = refinement(first)
+    used.request(wish)
+    (refined,) = results(used)
+    assert isinstance(refined, Refined)
+    np.testing.assert_allclose(refined.positions, expected(first, wish), atol=1e-12)
+    used.close()
+
+
+def test_any_other_error_arrives_as_one_of_the_worker(capfd: pytest.CaptureFixture[str]) -> None:
+    request = bind_request(document())
+    object.__setattr__(request, "keys", None)
+    answer = SolverService().answer(request)
+    assert isinstance(answer.value, WorkerError)
+    assert "TypeError" in str(answer.value)
+    assert "Traceback" in capfd.readouterr().err
+
+
+def test_a_refinement_needs_its_bind() -> None:
+    bench, request = SolverService(), bind_request(document())
+    assert isinstance(bench.answer(refinement(request)).value, WorkerError)
+    bench.answer(request)
+    assert not isinstance(bench.answer(refinement(request)).value, WorkerError)
