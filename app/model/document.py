@@ -22,7 +22,7 @@ from solver.softness.material import Material
 from solver.types import BoolArray, FloatArray, IntArray
 
 FIELDS = ("role", "handles", "pose", "softness", "pinned", "material", *SETTINGS)
-BIND_FIELDS = ("role", "softness", "material", "bending_length", "orientation")
+BIND_FIELDS = ("role", "softness", "material", "bending_length", "orientation", "attach")
 
 # One clock for all documents: a revision never comes back, not even after opening another mesh.
 clock = itertools.count(1)
@@ -45,7 +45,7 @@ class Document:
     pose: where they are.
     softness: (n,) in [0, 1].  pinned: (n,) whose softness a fill keeps; no session holds it.
     material: a preset's name or a Material.
-    bending_length, orientation, rigid: the solver's settings (SETTINGS).
+    bending_length, orientation, rigid, attach: the solver's settings (SETTINGS).
     revision: for each field a number that grows whenever the field changes.
     """
 
@@ -63,6 +63,7 @@ class Document:
         self.bending_length: float = SETTINGS["bending_length"].default
         self.orientation: bool = SETTINGS["orientation"].default
         self.rigid: int = SETTINGS["rigid"].default
+        self.attach: bool | list[int] = SETTINGS["attach"].default
         self.revision = {name: next(clock) for name in FIELDS}
 
     def change(self, field: str, value: Any, index: IntArray | None = None) -> Edit:
@@ -128,6 +129,7 @@ class Document:
             material=self.material,
             bending_length=self.bending_length,
             orientation=self.orientation,
+            attach=self.attach,
         )
 
     @property

@@ -98,6 +98,7 @@ def to_document(session: Session, mesh: Mesh, mesh_path: Path) -> Document:
             where = f"handles[{number}].vertices"
             _give_role(document, entry.get("vertices", []), handle.key, where)
         _set_softness(document, data.get("softness"))
+        _check_pieces(data.get("settings", {}).get("attach", True), mesh)
     except SessionError as error:
         raise SessionError(f"{session.path}: {error}") from error
     document.change("material", data.get("material", document.material))
@@ -127,12 +128,17 @@ def write_session(path: Path, document: Document) -> None:
             for handle in document.handles
         ],
         "material": vars(material) if isinstance(material, Material) else material,
-        "settings": {name: getattr(document, name) for name in SETTINGS},
+        "settings": _settings(document),
     }
     if document.softness.any():
         data["softness"] = document.softness.tolist()
     lines = [f" {json.dumps(key)}: {json.dumps(data[key], allow_nan=False)}" for key in data]
     write_atomically(path, ("{\n" + ",\n".join(lines) + "\n}\n").encode())
+
+
+def _settings(document: Document) -> dict[str, Any]:
+    values = {name: getattr(document, name) for name in SETTINGS}
+    return {k: v for k, v in values.items() if SETTINGS[k].written or v != SETTINGS[k].default}
 
 
 def _relative(mesh_path: Path, session_path: Path) -> str:
@@ -150,6 +156,15 @@ def _check_counts(expected: dict[str, Any], mesh: Mesh) -> None:
             raise SessionError(
                 f"mesh.{name}: expected {found}, as the mesh has, got {expected[name]}"
             )
+
+
+def _check_pieces(attach: bool | list[int], mesh: Mesh) -> None:
+    if isinstance(attach, bool):
+        return
+    count = int(mesh.pieces.max()) + 1
+    for i, number in enumerate(attach):
+        if number >= count:
+            raise SessionError(f"settings.attach[{i}]: expected 0 to {count - 1}, got {number}")
 
 
 def _give_role(document: Document, vertices: list[int], role: int, where: str) -> None:

@@ -11,11 +11,15 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Setting:
-    """Its default, and what values it takes."""
+    """Its default, and what values it takes.
+
+    written: whether a session says it even where it is the default.
+    """
 
     default: Any
     accepts: Callable[[Any], bool]
     expected: str
+    written: bool = True
 
 
 def is_number(value: Any) -> bool:
@@ -28,10 +32,20 @@ def is_number(value: Any) -> bool:
         return False
 
 
+def is_attach(value: Any) -> bool:
+    """True or False for all pieces, or the numbers of those that follow."""
+    if isinstance(value, bool):
+        return True
+    return isinstance(value, list) and all(type(v) is int and v >= 0 for v in value)
+
+
 SETTINGS: Mapping[str, Setting] = MappingProxyType(
     {
         "bending_length": Setting(0.01, lambda v: is_number(v) and v > 0, "a positive number"),
         "orientation": Setting(True, lambda v: isinstance(v, bool), "true or false"),
         "rigid": Setting(1, lambda v: type(v) is int and v >= 0, "an integer, 0 or more"),
+        "attach": Setting(
+            True, is_attach, "true, false or a list of the pieces that follow", written=False
+        ),
     }
 )

@@ -130,5 +130,6 @@ def state(document: Document) -> tuple[object, ...]:
         document.bending_length,
         document.orientation,
         document.rigid,
+        document.attach,
         document.pinned.tobytes(),
     )
