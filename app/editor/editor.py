@@ -36,7 +36,7 @@ class Editor(Workspace):
         self.cursor: Outline | None = None
         self._colors: Latest[FloatArray] = Latest()
         self._dots: Latest[Dots | None] = Latest()
-        self._dot_radius: Latest[float] = Latest()
+        self._dot_radius = dot_radius(document.mesh.vertices, self.neighbours.edges)
         self._warnings: Latest[tuple[str, ...]] = Latest()
 
     def step(self, frame: Input) -> None:
@@ -153,10 +153,7 @@ class Editor(Workspace):
         document = self.document
         if not document.pinned.any():
             return None
-        radius = self._dot_radius(
-            document.serial, lambda: dot_radius(document.mesh.vertices, self.neighbours.edges)
-        )
-        return Dots(self.positions[document.pinned], radius)
+        return Dots(self.positions[document.pinned], self._dot_radius)
 
     def _refresh(self) -> None:
         self.surface.follow(self.document, self.captures, self.dragging)
