@@ -1,4 +1,4 @@
-"""What a person can ask for, as data; actions.py and file_actions.py do it."""
+"""What a person can ask for, as data; the actions do it."""
 
 from __future__ import annotations
 

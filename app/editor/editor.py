@@ -6,7 +6,6 @@ from pathlib import Path
 
 from app.editor.actions import ACTIONS
 from app.editor.commands import Command
-from app.editor.file_actions import FILE_ACTIONS
 from app.model.document import Document
 from app.model.handles import FIRST_HANDLE, FIXED
 from app.tools.table import TOOLS
@@ -19,7 +18,6 @@ from app.workspace.workspace import Workspace
 from solver.errors import SolverError
 from solver.types import FloatArray
 
-HANDLERS = {**ACTIONS, **FILE_ACTIONS}
 TO_DRAG = f"Take the drag tool ({TOOLS['drag'].key}), then press on a handle and drag"
 
 
@@ -54,7 +52,7 @@ class Editor(Workspace):
         try:
             if command.interrupts:
                 self.finish()
-            HANDLERS[type(command)](self, command)
+            ACTIONS[type(command)](self, command)
             self._refresh()
         except (SolverError, OSError) as error:
             self.say(str(error), "error")

@@ -1,13 +1,12 @@
-"""What the commands that read and write files do. FILE_ACTIONS is the table."""
+"""What the commands that read and write files do. FILE_ACTIONS is their table."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 from app.bundled import writable
 from app.editor import commands as c
+from app.editor.action import Actions
 from app.model.document import Document
 from app.model.session import read_session, to_document, write_session
 from app.workspace.workspace import Workspace
@@ -83,7 +82,7 @@ def _spare_mesh(work: Workspace, path: Path) -> None:
         raise c.CommandError(f"{path} is the mesh that is open; expected another name")
 
 
-FILE_ACTIONS: dict[type[c.Command], Callable[[Workspace, Any], None]] = {
+FILE_ACTIONS: Actions = {
     c.OpenMesh: open_mesh,
     c.OpenSession: open_session,
     c.SaveSession: save_session,

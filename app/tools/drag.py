@@ -8,10 +8,11 @@ import numpy as np
 
 from app.model.handles import Handle
 from app.model.history import Gesture
+from app.tools.tool import on_surface
 from app.workspace.camera import Ray
 from app.workspace.events import Input
 from app.workspace.picking import Hit
-from app.workspace.workspace import Workspace
+from app.workspace.workspace import Interaction, Workspace
 from solver.types import FloatArray
 
 GRAZING = 1e-6  # cosine below which a ray counts as parallel to the plane
@@ -74,3 +75,14 @@ class Drag:
         transform = self._work.document.pose.of(self._handle.key).copy()
         transform[:3, 3] = target - transform[:3, :3] @ self._grabbed
         return transform
+
+
+@on_surface
+def begin_drag(work: Workspace, press: Input, hit: Hit) -> Interaction | None:
+    """A drag of the handle under the cursor, which becomes the active one."""
+    document = work.document
+    handle = document.find(int(document.role[hit.vertex]))
+    if handle is None:
+        return None
+    work.activate(handle.key)
+    return Drag(work, press, hit, handle)

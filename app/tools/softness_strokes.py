@@ -7,8 +7,11 @@ from collections.abc import Callable
 import numpy as np
 
 from app.model.history import Gesture
-from app.tools.strokes import Paint
-from app.workspace.workspace import Workspace
+from app.tools.strokes import Paint, Stroke
+from app.tools.tool import on_surface
+from app.workspace.events import Input
+from app.workspace.picking import Hit
+from app.workspace.workspace import Interaction, Workspace
 from solver.types import FloatArray, IntArray
 
 # Where the brush is at least this strong (half its radius) a stroke pins what it paints: its rim,
@@ -96,3 +99,10 @@ SOFTNESS_MODES: dict[str, Callable[[Workspace], Paint]] = {
     "subtract": _painting("Subtract softness", lambda before, value: before - value),
     "smooth": SoftnessSmoothing,
 }
+
+
+@on_surface
+def paint_softness(work: Workspace, press: Input, hit: Hit) -> Interaction:
+    """A stroke in the mode of the brush; with Shift one that erases."""
+    paint = SoftnessEraser(work) if press.shift else SOFTNESS_MODES[work.brush.mode](work)
+    return Stroke(work, press, hit, Gesture(work.document), paint)

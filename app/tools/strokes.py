@@ -1,22 +1,18 @@
-"""A brush stroke: from the cursor's rays to dabs, and what each kind of paint does with a dab."""
+"""A brush stroke: from the cursor's rays to dabs on the surface."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import ClassVar, Protocol
 
 import numpy as np
 
-from app.model.document import Document
-from app.model.handles import FREE
 from app.model.history import Gesture
 from app.workspace.brush import MAX_DABS
 from app.workspace.camera import Ray, rays_between
 from app.workspace.events import Input
 from app.workspace.picking import Hit
 from app.workspace.workspace import Workspace
-from solver.geometry.procrustes import rigid_motion
-from solver.types import BoolArray, FloatArray, IntArray
+from solver.types import FloatArray, IntArray
 
 
 class Paint(Protocol):
@@ -92,61 +88,3 @@ class Stroke:
         positions = self._work.positions
         touched = self._work.neighbours.dab(positions, hit, self._radius, start)
         self._paint.dab(self._gesture, *touched)
-
-
-class RolePaint:
-    """Gives vertices a role; the last stroke wins."""
-
-    def __init__(self, label: str, role: int) -> None:
-        self.label = label
-        self._role = role
-
-    def dab(self, gesture: Gesture, vertices: IntArray, weights: FloatArray) -> None:
-        """All vertices the brush touches."""
-        gesture.change("role", self._role, vertices)
-
-    def finish(self, gesture: Gesture) -> None:
-        """Nothing is left to do."""
-
-
-class RoleEraser:
-    """Frees the vertices whose role `erases` says so."""
-
-    def __init__(
-        self, document: Document, label: str, erases: Callable[[IntArray], BoolArray]
-    ) -> None:
-        self.label = label
-        self._document = document
-        self._erases = erases
-
-    def dab(self, gesture: Gesture, vertices: IntArray, weights: FloatArray) -> None:
-        """Only the vertices with a role to erase."""
-        gesture.change("role", FREE, vertices[self._erases(self._document.role[vertices])])
-
-    def finish(self, gesture: Gesture) -> None:
-        """Nothing is left to do."""
-
-
-class HandlePaint(RolePaint):
-    """Paints a handle. One that had no vertices starts where the surface is, not where it was."""
-
-    def __init__(self, work: Workspace, key: int) -> None:
-        document = work.document
-        handle = document.find(key)
-        assert handle is not None
-        super().__init__(f"Paint {handle.name}", key)
-        self._work = work
-        self._handle = handle
-        self._starts = len(document.vertices_of(key)) == 0
-
-    def finish(self, gesture: Gesture) -> None:
-        """Fit the transform of a new handle to the surface on screen."""
-        if not self._starts:
-            return
-        document = self._work.document
-        vertices = document.vertices_of(self._handle.key)
-        rest, shown = document.mesh.vertices[vertices], self._work.positions[vertices]
-        transform = np.eye(4) if np.array_equal(rest, shown) else rigid_motion(rest, shown)
-        pose = document.pose.moved(self._handle.key, transform)
-        if pose != document.pose:
-            gesture.change("pose", pose)

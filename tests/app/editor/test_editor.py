@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from app.editor import commands as c
-from app.editor.editor import HANDLERS
+from app.editor.actions import ACTIONS
 from app.model.document import Document
 from app.tools.table import TOOLS
 from app.tools.tool import brush_rim
@@ -165,7 +165,7 @@ def test_every_command_has_a_handler() -> None:
         for kind in vars(c).values()
         if isinstance(kind, type) and issubclass(kind, c.Command) and kind is not c.Command
     ]
-    assert set(asked) == set(HANDLERS)
+    assert set(asked) == set(ACTIONS)
     assert all(dataclasses.is_dataclass(kind) for kind in asked)
 
 

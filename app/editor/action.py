@@ -1,0 +1,18 @@
+"""What an action is: a function that carries out one kind of command on what is open."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+from typing import Any
+
+from app.editor.commands import Command, CommandError
+from app.workspace.workspace import Workspace
+
+Action = Callable[[Workspace, Any], None]  # Any: the kind of command it stands beside in its table
+Actions = dict[type[Command], Action]
+
+
+def check_name(name: str, names: Collection[str], what: str) -> None:
+    """Raise CommandError unless `name` is one of the names of a table."""
+    if name not in names:
+        raise CommandError(f"unknown {what} {name!r}, expected one of {', '.join(names)}")

@@ -1,0 +1,22 @@
+"""What the commands do, by subject. ACTIONS is the table of all."""
+
+from __future__ import annotations
+
+from app.editor.action import Actions
+from app.editor.actions.choices import CHOICE_ACTIONS
+from app.editor.actions.history import HISTORY_ACTIONS
+from app.editor.actions.poses import POSE_ACTIONS
+from app.editor.actions.regions import REGION_ACTIONS
+from app.editor.actions.settings import SETTING_ACTIONS
+from app.editor.actions.softness import SOFTNESS_ACTIONS
+from app.editor.file_actions import FILE_ACTIONS
+
+ACTIONS: Actions = {
+    **CHOICE_ACTIONS,
+    **REGION_ACTIONS,
+    **SOFTNESS_ACTIONS,
+    **SETTING_ACTIONS,
+    **POSE_ACTIONS,
+    **HISTORY_ACTIONS,
+    **FILE_ACTIONS,
+}

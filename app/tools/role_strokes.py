@@ -1,0 +1,100 @@
+"""What strokes of the fixed and the handle brush leave on the vertices they touch: roles."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from app.model.document import Document
+from app.model.handles import FIRST_HANDLE, FIXED, FREE
+from app.model.history import Gesture
+from app.tools.strokes import Paint, Stroke
+from app.tools.tool import on_surface
+from app.workspace.events import Input
+from app.workspace.picking import Hit
+from app.workspace.workspace import Interaction, Workspace
+from solver.geometry.procrustes import rigid_motion
+from solver.types import BoolArray, FloatArray, IntArray
+
+
+class RolePaint:
+    """Gives vertices a role; the last stroke wins."""
+
+    def __init__(self, label: str, role: int) -> None:
+        self.label = label
+        self._role = role
+
+    def dab(self, gesture: Gesture, vertices: IntArray, weights: FloatArray) -> None:
+        """All vertices the brush touches."""
+        gesture.change("role", self._role, vertices)
+
+    def finish(self, gesture: Gesture) -> None:
+        """Nothing is left to do."""
+
+
+class RoleEraser:
+    """Frees the vertices whose role `erases` says so."""
+
+    def __init__(
+        self, document: Document, label: str, erases: Callable[[IntArray], BoolArray]
+    ) -> None:
+        self.label = label
+        self._document = document
+        self._erases = erases
+
+    def dab(self, gesture: Gesture, vertices: IntArray, weights: FloatArray) -> None:
+        """Only the vertices with a role to erase."""
+        gesture.change("role", FREE, vertices[self._erases(self._document.role[vertices])])
+
+    def finish(self, gesture: Gesture) -> None:
+        """Nothing is left to do."""
+
+
+class HandlePaint(RolePaint):
+    """Paints a handle. One that had no vertices starts where the surface is, not where it was."""
+
+    def __init__(self, work: Workspace, key: int) -> None:
+        document = work.document
+        handle = document.find(key)
+        assert handle is not None
+        super().__init__(f"Paint {handle.name}", key)
+        self._work = work
+        self._handle = handle
+        self._starts = len(document.vertices_of(key)) == 0
+
+    def finish(self, gesture: Gesture) -> None:
+        """Fit the transform of a new handle to the surface on screen."""
+        if not self._starts:
+            return
+        document = self._work.document
+        vertices = document.vertices_of(self._handle.key)
+        rest, shown = document.mesh.vertices[vertices], self._work.positions[vertices]
+        transform = np.eye(4) if np.array_equal(rest, shown) else rigid_motion(rest, shown)
+        pose = document.pose.moved(self._handle.key, transform)
+        if pose != document.pose:
+            gesture.change("pose", pose)
+
+
+@on_surface
+def paint_fixed(work: Workspace, press: Input, hit: Hit) -> Interaction:
+    """A stroke that fixes vertices; with Shift one that frees them."""
+    paint: Paint = RolePaint("Paint fixed", FIXED)
+    if press.shift:
+        paint = RoleEraser(work.document, "Erase fixed", lambda role: role == FIXED)
+    return Stroke(work, press, hit, Gesture(work.document), paint)
+
+
+@on_surface
+def paint_handle(work: Workspace, press: Input, hit: Hit) -> Interaction:
+    """A stroke that adds to the active handle, or makes the first; with Shift one that erases."""
+    gesture = Gesture(work.document)
+    if press.shift:
+        eraser = RoleEraser(work.document, "Erase handle", lambda role: role >= FIRST_HANDLE)
+        return Stroke(work, press, hit, gesture, eraser)
+    handle = work.active
+    if handle is None:
+        handle = work.document.new_handle()
+        gesture.change("handles", (*work.document.handles, handle))
+    work.activate(handle.key)
+    return Stroke(work, press, hit, gesture, HandlePaint(work, handle.key))
