@@ -133,3 +133,12 @@ def state(document: Document) -> tuple[object, ...]:
         document.attach,
         document.pinned.tobytes(),
     )
+
+
+def error_of(person: Person) -> str:
+    """The error on screen, one line."""
+    message = person.editor.message
+    assert message is not None
+    assert message.kind == "error"
+    assert "\n" not in message.text
+    return message.text

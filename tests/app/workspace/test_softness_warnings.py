@@ -1,0 +1,59 @@
+"""What a person is warned of before folding: creases and tears."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app.bundled import DEFAULT_SESSION
+from app.editor import commands as c
+from app.editor.editor import Editor
+from app.editor.file_actions import load_document
+from app.model.handles import FIXED
+from app.worker.inline import InlineWorker
+from app.workspace.softness_warnings import STEEP, WEAK
+from solver import Material
+from tests.app.person import Person, slab
+
+
+def default_editor() -> Editor:
+    return Editor(load_document(None, DEFAULT_SESSION), InlineWorker(), DEFAULT_SESSION)
+
+
+def test_the_default_session_and_a_stroke_of_the_default_brush_are_fine() -> None:
+    editor = default_editor()
+    assert not editor.warnings
+    person = Person(editor.document.mesh, eye=(0, 0, 6))
+    person.use("softness")
+    person.stroke([0.3, 1.42, 0.0], [0.5, 1.42, 0.0])
+    assert person.editor.document.softness.max() > 0.9
+    assert not person.editor.warnings
+
+
+def test_a_step_warns_of_a_crease_and_one_click_mends_it() -> None:
+    editor = default_editor()
+    x = editor.document.mesh.vertices[:, 0]
+    with editor.edit("step") as gesture:
+        gesture.change("softness", (np.abs(x - 0.465) < 0.1).astype(float), np.arange(len(x)))
+    assert list(editor.warnings) == [STEEP]
+    editor.execute(c.SmoothSoftness())
+    assert not editor.warnings
+    editor.execute(c.Undo())
+    assert list(editor.warnings) == [STEEP]
+
+
+def test_a_material_that_gives_way_warns_of_tearing() -> None:
+    editor = default_editor()
+    for stretching, expected in ((0.1, []), (0.01, [WEAK]), (1.0, [])):
+        editor.execute(c.SetMaterial(Material(1.0, stretching)))
+        assert list(editor.warnings) == expected
+
+
+def test_what_cannot_bend_is_not_warned_of() -> None:
+    person = Person(slab(20, 4, 2.0))
+    with person.editor.edit("fix all") as gesture:
+        gesture.change("role", FIXED, np.arange(len(person.editor.document.role)))
+    person.use("softness", 0.5)
+    person.stroke([10, 2, 0])
+    assert not person.editor.warnings
+    person.do(c.ClearFixed())
+    assert list(person.editor.warnings) == [STEEP]
