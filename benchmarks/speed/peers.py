@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from statistics import median
 from typing import Any
 
 import igl
 import numpy as np
 from scipy.sparse.linalg import spsolve
 
+from benchmarks import cgal
 from benchmarks.timing import Task
 from solver import Deformer
 from solver.types import FloatArray, IntArray
@@ -15,6 +17,8 @@ from solver.types import FloatArray, IntArray
 ITERATIONS = 10
 PRECOMPUTE = "libigl ARAP, precomputation"
 ARAP = f"libigl ARAP, {ITERATIONS} iterations"
+CGAL_PREPROCESS = "CGAL SR-ARAP, preprocessing"
+CGAL = f"CGAL SR-ARAP, {ITERATIONS} iterations"
 HARMONIC = "libigl harmonic, k = 2"
 PAPER = "SciPy spsolve of the paper's system, every drag"
 
@@ -41,6 +45,20 @@ class Arap:
 def harmonic(V: FloatArray, F: IntArray, held: IntArray, goal: FloatArray) -> dict[str, Task]:
     """libigl's biharmonic deformation, factorisation included."""
     return {HARMONIC: Task(lambda: igl.harmonic(V, F, held, goal - V[held], 2))}
+
+
+def smoothed_rotations(
+    V: FloatArray, F: IntArray, held: IntArray, goal: FloatArray, rounds: int
+) -> dict[str, float]:
+    """CGAL's, in seconds; empty where it is not installed."""
+    runs = [cgal.deform(V, F, held, goal, ITERATIONS) for _ in range(rounds)]
+    found = [run for run in runs if run is not None]
+    if not found:
+        return {}
+    return {
+        CGAL_PREPROCESS: median(run.preprocessing for run in found),
+        CGAL: median(ITERATIONS * run.iteration for run in found),
+    }
 
 
 def paper(deformer: Deformer) -> dict[str, Task]:
