@@ -9,6 +9,7 @@ import numpy as np
 
 from solver import Deformer, Mesh, fundamental_forms
 from solver.geometry.motions import rotation_about
+from solver.softness.falloff import falloff
 from solver.types import BoolArray, FloatArray, IntArray
 
 # Along x, in world units: where the fixed part ends, the elbow is, and the hand begins.
@@ -46,7 +47,7 @@ class Arm:
     def softness(self, x: FloatArray, step: bool = False) -> FloatArray:
         """At places x along the arm: 1 at the elbow, 0 beyond its reach; C1, or a step."""
         u = (x - ELBOW) / REACH
-        return np.where(np.abs(u) < 1, 1.0 if step else (1 - u**2) ** 2, 0.0)
+        return np.where(np.abs(u) < 1, 1.0, 0.0) if step else falloff(u)
 
     def edge_gains(self, gains: Gains) -> tuple[IntArray, FloatArray, FloatArray]:
         """What Deformer takes: gains set edge by edge, as the paper does."""

@@ -9,12 +9,12 @@ import numpy as np
 from app.figures.arm import ELBOW, JOINT, Arm, turn
 from app.figures.figure import Figure, soft
 from app.figures.measures import ArmMeasures, Numbers
-from app.workspace.brush import falloff
 from app.workspace.color_maps import FIXED_COLOR, viridis
 from solver import Deformer, interpolate_softness
 from solver.geometry.motions import moved
 from solver.geometry.procrustes import rigid_motion
 from solver.softness.checks import check_softness
+from solver.softness.falloff import falloff
 from solver.types import BoolArray, FloatArray
 
 FOLD = 120.0  # degrees

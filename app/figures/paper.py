@@ -11,6 +11,7 @@ from app.figures.arm import JOINT, REACH, SHOULDER, WRIST, Arm, Gains, turn
 from app.figures.figure import Figure, plain, regions, soft
 from app.figures.measures import ArmMeasures, Numbers
 from solver import PRESETS, fundamental_forms, reconstruct
+from solver.geometry.bounding_box import diagonal
 from solver.geometry.frames import triangle_frames
 from solver.geometry.motions import moved, rotation
 from solver.geometry.procrustes import rigid_motion
@@ -66,7 +67,7 @@ def _reconstruction(arm: Arm) -> Figure:
         seed_frame=R @ triangle_frames(arm.V[arm.F[:1]]).axes[0],
         seed_position=R @ (arm.V[arm.F[0, 0]] - middle) + middle,
     )
-    size = float(np.linalg.norm(np.ptp(arm.V, axis=0)))
+    size = diagonal(arm.V)
     apart = np.linalg.norm(moved(rigid_motion(arm.V, X), arm.V) - X, axis=1).max() / size
     away = np.linalg.norm(X - arm.V, axis=1).max() / size
     return Figure(

@@ -10,6 +10,7 @@ from scipy.sparse.csgraph import breadth_first_order
 
 from app.workspace.picking import Hit
 from solver.geometry.topology import Topology
+from solver.softness.falloff import falloff
 from solver.types import FloatArray, IntArray
 
 MAX_DABS = 32  # the most dabs put into one frame of a fast stroke
@@ -26,11 +27,6 @@ class Brush:
     strength: float = 1.0
     value: float = 1.0
     mode: str = "set"
-
-
-def falloff(t: FloatArray) -> FloatArray:
-    """(1 - t^2)^2 for t in [0, 1], else 0: 1 at the centre, value and slope 0 at the rim."""
-    return np.clip(1 - t**2, 0, None) ** 2
 
 
 class Neighbours:

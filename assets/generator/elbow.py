@@ -6,7 +6,10 @@ import json
 
 import numpy as np
 
+from app.model.session import FORMAT, VERSION
 from assets.generator.figure import ELBOW, WRIST
+from solver.geometry.bounding_box import diagonal
+from solver.softness.falloff import falloff
 from solver.types import FloatArray, IntArray
 
 FIXED_BELOW = 0.25
@@ -16,16 +19,15 @@ SOFT_REACH = 0.08
 
 def softness(V: FloatArray) -> FloatArray:
     """1 at the +x elbow, 0 outside its band, C1 between; rounded to 4 decimals."""
-    reach = SOFT_REACH * np.linalg.norm(np.ptp(V, axis=0))
-    u = np.clip((V[:, 0] - ELBOW) / reach, -1, 1)
-    return np.round((1 - u * u) ** 2, 4) + 0.0
+    reach = SOFT_REACH * diagonal(V)
+    return np.round(falloff((V[:, 0] - ELBOW) / reach), 4) + 0.0
 
 
 def session_text(mesh_name: str, V: FloatArray, F: IntArray) -> str:
     """A session file for the mannequin, one line for each list."""
     entries = {
-        "format": "surface-deformation-session",
-        "version": 1,
+        "format": FORMAT,
+        "version": VERSION,
         "mesh": {"path": mesh_name, "vertices": len(V), "faces": len(F)},
         "fixed": np.flatnonzero(V[:, 0] < FIXED_BELOW).tolist(),
         "handles": [

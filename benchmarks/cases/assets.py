@@ -8,18 +8,20 @@ from pathlib import Path
 import numpy as np
 
 from app.model.session import read_session
+from assets.generator.elbow import SOFT_REACH
 from assets.generator.figure import ARM_DEPTH, ARM_HEIGHT, ELBOW
 from assets.generator.primitives import cylinder
 from benchmarks.cases import survey
 from benchmarks.cases.case import Case
 from solver import load_mesh
+from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import rotation_about
 from solver.geometry.topology import Topology
 from solver.measure.sections import Limb
+from solver.softness.falloff import falloff
 from solver.types import FloatArray, IntArray
 
 ASSETS = Path(__file__).resolve().parents[2] / "assets"
-SOFT_REACH = 0.08  # of the soft band of an arm, half its width in diagonals
 
 
 def all_cases() -> Iterator[Case]:
@@ -101,12 +103,11 @@ def folded_arm(degrees: float = 120.0) -> Case:
     V, F = _asset("arm")
     joint, axis = 0.3705, np.zeros(2)
     fixed, hand = np.flatnonzero(V[:, 0] < 0.12), np.flatnonzero(V[:, 0] > 0.66)
-    reach = SOFT_REACH * np.linalg.norm(np.ptp(V, axis=0))
-    u = np.clip((V[:, 0] - joint) / reach, -1, 1)
+    softness = falloff((V[:, 0] - joint) / (SOFT_REACH * diagonal(V)))
     T = rotation_about([0, 0, 1], degrees, [joint, 0, 0])
     limb = _limb(V, F, axis, (0.15, 0.63), 49)
     title = f"arm, folded {degrees:.0f}"
-    return Case(title, V, F, fixed, [hand], [T], (1 - u * u) ** 2, limb=limb, joint=joint)
+    return Case(title, V, F, fixed, [hand], [T], softness, limb=limb, joint=joint)
 
 
 def folded_mannequin(degrees: float = 120.0) -> Case:

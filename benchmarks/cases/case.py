@@ -8,6 +8,7 @@ import igl
 import numpy as np
 
 from solver import Deformer
+from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import moved
 from solver.measure.quality import Quality, broken_triangles, quality
 from solver.measure.sections import Fold, Limb
@@ -44,7 +45,7 @@ class Case:
 
     @property
     def diagonal(self) -> float:
-        return float(np.linalg.norm(np.ptp(self.V, axis=0)))
+        return diagonal(self.V)
 
     def deformer(self, **options: object) -> Deformer:
         return Deformer(self.V, self.F, self.fixed, self.handles, self.softness, **options)  # type: ignore[arg-type]

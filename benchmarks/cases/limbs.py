@@ -12,6 +12,7 @@ from scipy.spatial import Delaunay
 from assets.generator.primitives import grid_triangles, regular_triangles
 from solver.geometry.topology import Topology
 from solver.measure.sections import Section
+from solver.softness.falloff import falloff
 from solver.types import FloatArray, IntArray
 
 # A limb lies along x from -HALF to HALF; what is beyond HELD is held; it is soft within BAND.
@@ -39,7 +40,7 @@ class SoftLimb:
     @property
     def softness(self) -> FloatArray:
         """(n,) one in the middle, zero beyond the band, C1 at its rim."""
-        return np.maximum(1.0 - (self.V[:, 0] / BAND) ** 2, 0.0) ** 2
+        return falloff(self.V[:, 0] / BAND)
 
     def turn(self, X: FloatArray, x: float) -> float:
         """By how many degrees the section at rest coordinate x has turned about z."""

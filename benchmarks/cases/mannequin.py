@@ -9,6 +9,7 @@ import igl
 import numpy as np
 
 from solver import load_mesh
+from solver.geometry.bounding_box import diagonal
 from solver.types import FloatArray, IntArray
 
 ASSETS = Path(__file__).resolve().parents[2] / "assets"
@@ -66,7 +67,7 @@ class Mannequin:
 def drag_of(V: FloatArray, hand: IntArray) -> tuple[FloatArray, FloatArray]:
     """The centre of the hand at rest, (3,), and where a drag takes it: inwards, up and forward."""
     centre: FloatArray = V[hand].mean(axis=0)
-    return centre, centre + 0.15 * np.linalg.norm(np.ptp(V, axis=0)) * np.array([-1, 1, 1])
+    return centre, centre + 0.15 * diagonal(V) * np.array([-1, 1, 1])
 
 
 def dragged(V: FloatArray, fixed: IntArray, hand: IntArray) -> tuple[IntArray, FloatArray]:

@@ -14,6 +14,7 @@ from benchmarks.speed import parts, peers
 from benchmarks.timing import Task, medians, seconds
 from solver import Deformer
 from solver.factor import superlu, table
+from solver.geometry.bounding_box import diagonal
 from solver.types import FloatArray
 
 BIND = "bind from scratch"
@@ -161,5 +162,4 @@ def compare(mannequin: Mannequin) -> Comparison:
     with patch.object(table, "BACKENDS", (superlu.BACKEND,)):
         slow = seconds(lambda: bind(mannequin), 2)
         apart = np.abs(X - bind(mannequin).pose([session.T])).max()
-    diagonal = np.linalg.norm(np.ptp(mannequin.V, axis=0))
-    return Comparison(len(mannequin.V), fast, slow, float(apart / diagonal))
+    return Comparison(len(mannequin.V), fast, slow, float(apart / diagonal(mannequin.V)))

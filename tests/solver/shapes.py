@@ -92,11 +92,6 @@ def random_rotation(rng: np.random.Generator) -> FloatArray:
     return rotation([x, y, z], 2 * np.degrees(np.arctan2(np.linalg.norm([x, y, z]), w)))
 
 
-def size(V: FloatArray) -> float:
-    """The bounding box's diagonal."""
-    return float(np.linalg.norm(np.ptp(V, axis=0)))
-
-
 def aligned(X: FloatArray, V: FloatArray) -> FloatArray:
     """X after the rigid motion that takes it closest to V. [Kabsch 1976]"""
     x, v = X - X.mean(axis=0), V - V.mean(axis=0)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from solver import ConstraintError, Deformer
+from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import motion, moved, rotation
 from solver.measure.distortion import Distortion
 from solver.types import FloatArray, IntArray
@@ -80,7 +81,7 @@ def test_moving_the_whole_scene_moves_the_result(arm: Case, rigid: int, turn: bo
     T = [M @ t @ np.linalg.inv(M) for t in arm.posed]
     V = moved(M, arm.V)
     # Lengths are measured in diagonals of the bounding box, and turning changes the box.
-    same_length = 0.01 * shapes.size(arm.V) / shapes.size(V)
+    same_length = 0.01 * diagonal(arm.V) / diagonal(V)
     X = arm.deformer(V, bending_length=same_length).pose(T, rigid)
     np.testing.assert_allclose(X, moved(M, arm.deformer().pose(arm.posed, rigid)), atol=1e-8)
 

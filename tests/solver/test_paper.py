@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from solver import Deformer, fundamental_forms, load_mesh
+from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import motion, moved, rotation
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
@@ -64,7 +65,7 @@ class Toy:
             [self.handle],
             orientation=False,
             edge_gains=self.gains(bending, stretching),
-            bending_length=np.sqrt(BENDING_WEIGHT) / shapes.size(self.V),
+            bending_length=np.sqrt(BENDING_WEIGHT) / diagonal(self.V),
         )
 
     def inner_area(self, X: FloatArray) -> float:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from solver import Deformer, fundamental_forms, interpolate_softness
+from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import motion, moved, rotation
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
@@ -63,7 +64,7 @@ CONSTRAINTS: dict[str, tuple[Any, Any]] = {
 
 def check(surface: tuple[FloatArray, IntArray], fixed: Any, handles: Any, **options: Any) -> None:
     points, faces = surface
-    scale = shapes.size(points) or 1.0
+    scale = diagonal(points) or 1.0
     T = motion(rotation([0, 1, 0], 70), scale * np.array([-0.1, 0.1, 0.2]), points[handles[0][0]])
     deformer = Deformer(points, faces, fixed, handles, **options)
     soft = deformer.grab(np.exp(-((points - points[50]) ** 2).sum(axis=1) / (0.2 * scale) ** 2))
@@ -114,7 +115,7 @@ def test_flat_handles_do_not_mirror_frames(height: float) -> None:
     for orientation in (True, False):
         deformer = Deformer(points, faces, low, [high], orientation=orientation)
         assert (np.linalg.det(deformer.frames([T])) > 0).all()
-        assert np.abs(deformer.pose([T]) - points).max() < 0.5 * shapes.size(points)
+        assert np.abs(deformer.pose([T]) - points).max() < 0.5 * diagonal(points)
 
 
 def test_an_isolated_vertex_moves_with_its_handle_and_else_stays() -> None:

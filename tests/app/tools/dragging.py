@@ -9,12 +9,9 @@ import numpy as np
 from app.worker.client import Worker
 from app.worker.inline import InlineWorker
 from app.worker.requests import Refined, RefineRequest, Request, Result
-from solver.types import FloatArray
+from solver.geometry.bounding_box import diagonal
+from solver.geometry.motions import moved
 from tests.app.person import Person, transforms
-
-
-def size(positions: FloatArray) -> float:
-    return float(np.linalg.norm(np.ptp(positions, axis=0)))
 
 
 def check_constraints(person: Person) -> None:
@@ -23,8 +20,7 @@ def check_constraints(person: Person) -> None:
     rest = document.mesh.vertices
     for handle, T in zip(document.handles, transforms(document), strict=True):
         own = document.vertices_of(handle.key)
-        moved = rest[own] @ T[:3, :3].T + T[:3, 3]
-        np.testing.assert_allclose(X[own], moved, atol=1e-9 * size(rest))
+        np.testing.assert_allclose(X[own], moved(T, rest[own]), atol=1e-9 * diagonal(rest))
     np.testing.assert_array_equal(X[document.fixed], rest[document.fixed])
 
 

@@ -14,8 +14,9 @@ from app.editor.commands import (
     Undo,
 )
 from app.model.handles import FIRST_HANDLE, FIXED, FREE
+from solver.geometry.bounding_box import diagonal
 from tests.app.person import IdleWorker, Person, slab, transforms
-from tests.app.tools.dragging import check_constraints, size, with_fake
+from tests.app.tools.dragging import check_constraints, with_fake
 
 
 @pytest.mark.parametrize("turn", [True, False])
@@ -40,7 +41,7 @@ def test_the_grabbed_point_stays_under_the_cursor_in_the_screens_plane(ready: Pe
     ready.stroke([19, 2, 0], [16, 8, 0])
     T = transforms(ready.editor.document)[0]
     np.testing.assert_allclose(
-        T @ [19, 2, 0, 1], [16, 8, 0, 1], atol=1e-6 * size(ready.editor.positions)
+        T @ [19, 2, 0, 1], [16, 8, 0, 1], atol=1e-6 * diagonal(ready.editor.positions)
     )
 
 

@@ -2,10 +2,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.workspace.brush import Neighbours, falloff
+from app.workspace.brush import Neighbours
 from app.workspace.camera import Ray
 from app.workspace.picking import Hit, Picker
 from solver import Mesh
+from solver.softness.falloff import falloff
 from solver.types import FloatArray
 from tests.app.person import sheet, slab
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from solver import MeshError, fundamental_forms, load_mesh, reconstruct
+from solver.geometry.bounding_box import diagonal
 from solver.geometry.frames import triangle_frames
 from solver.geometry.motions import motion, moved
 from tests.solver import shapes
@@ -15,7 +16,7 @@ from tests.solver.geometry.test_forms import SURFACES
 
 
 def error_after_alignment(X: np.ndarray, V: np.ndarray) -> float:
-    return float(np.abs(shapes.aligned(X, V) - V).max()) / shapes.size(V)
+    return float(np.abs(shapes.aligned(X, V) - V).max()) / diagonal(V)
 
 
 @pytest.mark.parametrize("name", SURFACES)
@@ -51,7 +52,7 @@ def test_the_seed_places_the_surface(name: str) -> None:
     frame = T[:3, :3] @ triangle_frames(V[F]).axes[face]
     corner = moved(T, V[F[face, 0]])
     X = reconstruct(F, fundamental_forms(V, F), face, frame, corner)
-    np.testing.assert_allclose(X, moved(T, V), atol=1e-8 * shapes.size(V))
+    np.testing.assert_allclose(X, moved(T, V), atol=1e-8 * diagonal(V))
 
 
 def test_without_a_seed_the_first_corner_is_the_origin_and_its_edge_the_first_axis() -> None:

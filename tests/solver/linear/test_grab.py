@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from solver import ConstraintError, Deformer
+from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import motion, moved, rotation
+from solver.softness.falloff import falloff
 from solver.types import FloatArray
 from tests.solver import shapes
 from tests.solver.definition import Definition, resolved, stack
@@ -21,10 +23,9 @@ T = motion(rotation([1, 1, 2], 70), [-1, 2, 1], [6, 0, 0])
 HAND = motion(rotation([0, 0, 1], 50), [-1, 1, 0], [8, 0, 0])
 
 
-def falloff(centre: Any, radius: float, points: FloatArray = V) -> FloatArray:
+def dab(centre: Any, radius: float, points: FloatArray = V) -> FloatArray:
     """A brush: smooth, 1 at the centre, 0 from the radius on."""
-    d = np.linalg.norm(points - centre, axis=1) / radius
-    return np.asarray(np.maximum(1 - d**2, 0) ** 2)
+    return falloff(np.linalg.norm(points - centre, axis=1) / radius)
 
 
 def affine_fit(points: FloatArray, X: FloatArray, weights: FloatArray) -> FloatArray:
@@ -36,7 +37,7 @@ def affine_fit(points: FloatArray, X: FloatArray, weights: FloatArray) -> FloatA
 
 @pytest.mark.parametrize("rigid", LEVELS)
 def test_the_affine_fit_of_the_region_is_the_transform(rigid: int) -> None:
-    weights = falloff([6, 0, 0], 2)
+    weights = dab([6, 0, 0], 2)
     X = Deformer(V, F, FIXED).grab(weights).pose([T], rigid)
     np.testing.assert_allclose(affine_fit(V, X, weights), T[:3], atol=1e-9)
     np.testing.assert_array_equal(X[FIXED], V[FIXED])
@@ -44,7 +45,7 @@ def test_the_affine_fit_of_the_region_is_the_transform(rigid: int) -> None:
 
 @pytest.mark.parametrize("rigid", LEVELS)
 def test_several_grabs_and_a_handle_are_all_met(rigid: int) -> None:
-    one, two = falloff([4, 1, 0], 1.5), falloff([5, -1, 0], 2)  # they overlap
+    one, two = dab([4, 1, 0], 1.5), dab([5, -1, 0], 2)  # they overlap
     deformer = Deformer(V, F, FIXED, [TIP]).grab(one).grab(two)
     assert deformer.handle_count == 3
     posed = [HAND, motion(rotation([1, 0, 0], 20), [0, 1, 0]), motion(np.eye(3), [0, -0.5, 1])]
@@ -57,7 +58,7 @@ def test_several_grabs_and_a_handle_are_all_met(rigid: int) -> None:
 
 @pytest.mark.parametrize("handles", [[], [TIP]])
 def test_no_other_surface_with_these_moments_has_less_energy(handles: list[Any]) -> None:
-    weights = falloff([5, 0, 0], 2) * (V[:, 0] <= 7.5)
+    weights = dab([5, 0, 0], 2) * (V[:, 0] <= 7.5)
     deformer = Deformer(V, F, FIXED, handles).grab(weights)
     posed = [HAND] * len(handles) + [T]
     U = stack(deformer.pose(posed), deformer.frames(posed))
@@ -82,14 +83,14 @@ def test_no_other_surface_with_these_moments_has_less_energy(handles: list[Any])
 def test_grabbing_a_flat_region_tilts_it() -> None:
     points, faces = shapes.grid(14, 14)
     rim = np.flatnonzero((points[:, 0] == 0) | (points[:, 0] == 13))
-    weights = falloff([6.5, 6.5, 0], 3, points)
+    weights = dab([6.5, 6.5, 0], 3, points)
     deformer = Deformer(points, faces, rim).grab(weights)
     t = motion(rotation([0, 1, 0], 30), [0, 0, 3], [6.5, 6.5, 0])
     for rigid in LEVELS:
         X = deformer.pose([t], rigid)
         fit = affine_fit(points[:, :2], X, weights)
         np.testing.assert_allclose(fit, t[:3, [0, 1, 3]], atol=1e-9)
-        assert shapes.size(X) < 2 * shapes.size(points)
+        assert diagonal(X) < 2 * diagonal(points)
     mean = weights[faces].mean(axis=1) @ deformer.frames([t]).reshape(-1, 9)
     mean = mean.reshape(3, 3) / weights[faces].mean(axis=1).sum()
     np.testing.assert_allclose(mean[:, 2], t[:3, 2], atol=1e-9)
@@ -104,7 +105,7 @@ def test_grabbing_one_vertex_moves_and_turns_it(rigid: int) -> None:
     t = motion(rotation([1, 1, 0], 40), [0, 0, 2], points[one])
     X = deformer.pose([t], rigid)
     np.testing.assert_allclose(X[one], moved(t, points[one]), atol=1e-9)
-    assert shapes.size(X) < 2 * shapes.size(points)
+    assert diagonal(X) < 2 * diagonal(points)
     around = (faces == one).any(axis=1)
     np.testing.assert_allclose(deformer.frames([t])[around].mean(axis=0), t[:3, :3], atol=1e-9)
 
@@ -113,7 +114,7 @@ def test_grabbing_one_vertex_moves_and_turns_it(rigid: int) -> None:
 def test_a_piece_that_nothing_holds_is_carried(rigid: int) -> None:
     two = np.vstack([V, V + [0, 5, 0]])
     deformer = Deformer(two, np.vstack([F, F + len(V)]), FIXED)
-    weights = np.concatenate([np.zeros(len(V)), falloff([6, 0, 0], 2)])
+    weights = np.concatenate([np.zeros(len(V)), dab([6, 0, 0], 2)])
     X = deformer.grab(weights).pose([T], rigid)
     np.testing.assert_allclose(X[: len(V)], V, atol=1e-11)
     np.testing.assert_allclose(X[len(V) :], moved(T, two[len(V) :]), atol=1e-9)
@@ -121,7 +122,7 @@ def test_a_piece_that_nothing_holds_is_carried(rigid: int) -> None:
 
 def test_a_grab_across_pieces_holds_one_and_carries_the_other() -> None:
     two = np.vstack([V, V + [0, 5, 0]])
-    weights = falloff([6, 2.5, 0], 4, two)
+    weights = dab([6, 2.5, 0], 4, two)
     deformer = Deformer(two, np.vstack([F, F + len(V)]), FIXED).grab(weights)
     X = deformer.pose([T])
     np.testing.assert_allclose(affine_fit(two, X, weights), T[:3], atol=1e-9)
@@ -131,7 +132,7 @@ def test_a_grab_across_pieces_holds_one_and_carries_the_other() -> None:
 def test_rest_is_a_fixed_point_and_the_first_deformer_stays_as_it_was() -> None:
     first = Deformer(V, F, FIXED, [TIP])
     before = [first.pose([HAND], rigid) for rigid in LEVELS]
-    grabbed = first.grab(falloff([4, 0, 0], 2))
+    grabbed = first.grab(dab([4, 0, 0], 2))
     for rigid in LEVELS:
         np.testing.assert_allclose(grabbed.pose([np.eye(4)] * 2, rigid), V, atol=1e-11)
     grabbed.pose([HAND, T])
@@ -142,7 +143,7 @@ def test_rest_is_a_fixed_point_and_the_first_deformer_stays_as_it_was() -> None:
 
 @pytest.mark.parametrize("rigid", LEVELS)
 def test_moving_every_constraint_moves_the_result(rigid: int) -> None:
-    weights = falloff([4, 0, 0], 2)
+    weights = dab([4, 0, 0], 2)
     deformer = Deformer(V, F, [], [FIXED, TIP]).grab(weights)
     M = motion(rotation([3, 1, 2], 130), [4, 5, 6])
     posed = [np.eye(4), HAND, motion(np.eye(3), [0, 1, 0])]
@@ -151,13 +152,13 @@ def test_moving_every_constraint_moves_the_result(rigid: int) -> None:
 
 
 def test_the_scale_of_weights_does_not_matter() -> None:
-    weights = falloff([4, 0, 0], 2)
+    weights = dab([4, 0, 0], 2)
     one, other = (Deformer(V, F, FIXED).grab(k * weights).pose([T]) for k in (1, 1e6))
     np.testing.assert_allclose(one, other, atol=1e-9)
 
 
 def test_rebinding_keeps_grabs() -> None:
-    weights, softness = falloff([4, 0, 0], 2), V[:, 0] / 8
+    weights, softness = dab([4, 0, 0], 2), V[:, 0] / 8
     grabbed = Deformer(V, F, FIXED, [TIP]).grab(weights)
     X = grabbed.rebind(softness=softness).pose([HAND, T], 1)
     fresh = Deformer(V, F, FIXED, [TIP], softness).grab(weights)
@@ -165,7 +166,7 @@ def test_rebinding_keeps_grabs() -> None:
 
 
 def test_solve_holds_grabs_at_rest() -> None:
-    weights = falloff([4, 0, 0], 2)
+    weights = dab([4, 0, 0], 2)
     deformer = Deformer(V, F, FIXED, [TIP]).grab(weights)
     for rigid in LEVELS:
         X = deformer.solve(moved(HAND, V[TIP]), rigid)
@@ -189,4 +190,4 @@ def test_refuses_weights_that_select_nothing() -> None:
 
 def test_refuses_two_grabs_of_a_piece_that_nothing_holds() -> None:
     with shapes.refuses(ConstraintError, "takes one grab, got two"):
-        Deformer(V, F).grab(falloff([6, 0, 0], 2)).grab(falloff([2, 0, 0], 2))
+        Deformer(V, F).grab(dab([6, 0, 0], 2)).grab(dab([2, 0, 0], 2))

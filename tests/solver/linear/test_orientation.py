@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from solver import ConstraintError, Deformer
+from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import motion, moved, rotation
 from solver.types import FloatArray
 from tests.solver import shapes
@@ -112,7 +113,7 @@ def test_turning_the_scene_turns_the_answer() -> None:
     here = Deformer(V, F, FIXED, [TIP]).orient(0, grabbed, target, [np.eye(4)])
     turned = moved(M, V)
     # Lengths are measured in diagonals of the bounding box, and turning changes the box.
-    same_length = 0.01 * shapes.size(V) / shapes.size(turned)
+    same_length = 0.01 * diagonal(V) / diagonal(turned)
     deformer = Deformer(turned, F, FIXED, [TIP], bending_length=same_length)
     there = deformer.orient(0, moved(M, grabbed), moved(M, target), [np.eye(4)])
     np.testing.assert_allclose(there, M @ here @ np.linalg.inv(M), atol=1e-8)

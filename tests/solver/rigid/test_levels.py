@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from solver import Deformer
+from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import motion, moved, rotation
 from solver.geometry.rotations import nearest_rotations
 from solver.linear.assembly import deformation_matrix
@@ -20,7 +21,6 @@ from solver.setup import Setup
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
 from tests.solver.definition import clamp, cotangent
-from tests.solver.shapes import size
 
 V, F = shapes.bumpy_plane(7)
 FIXED = np.flatnonzero(V[:, 0] < 2)
@@ -117,7 +117,7 @@ def test_after_many_rounds_no_turn_of_any_triangle_lowers_the_energy() -> None:
     state = descent(handle, 200)[-1]
     free = np.delete(np.arange(len(V)), [*FIXED, *handle])
     rng = np.random.default_rng(3)
-    scale = size(V)
+    scale = diagonal(V)
     turning = np.flatnonzero(~np.isin(F, FIXED).all(axis=1) & ~np.isin(F, handle).all(axis=1))
     for _ in range(20):
         R = state.rotations.copy()
@@ -172,7 +172,7 @@ def test_one_rigid_motion_of_all_constraints_moves_the_result_by_it(make: Make, 
     deformer, T = make(V), turn([38], 60)
     M = motion(rotation([3, -1, 2], 130), [5, -2, 1])
     once, again = deformer.pose([np.eye(4), T], rigid), deformer.pose([M, M @ T], rigid)
-    np.testing.assert_allclose(again, moved(M, once), atol=1e-8 * size(V))
+    np.testing.assert_allclose(again, moved(M, once), atol=1e-8 * diagonal(V))
 
 
 @pytest.mark.parametrize("make", MAKES)
@@ -181,7 +181,9 @@ def test_scaling_the_file_scales_the_result(make: Make) -> None:
     large = T.copy()
     large[:3, 3] *= 1000
     result = make(1000 * V).pose([np.eye(4), large], 4)
-    np.testing.assert_allclose(result, 1000 * make(V).pose([np.eye(4), T], 4), atol=1e-5 * size(V))
+    np.testing.assert_allclose(
+        result, 1000 * make(V).pose([np.eye(4), T], 4), atol=1e-5 * diagonal(V)
+    )
 
 
 @pytest.mark.parametrize("make", [two_handles, positions_only, soft_elbow])
@@ -191,7 +193,7 @@ def test_held_vertices_are_where_the_handles_put_them(make: Make, rigid: int) ->
     X = make(V).pose([np.eye(4), T], rigid)
     np.testing.assert_array_equal(X[FIXED], V[FIXED])
     handle = [31, 32, 38, 39]
-    np.testing.assert_allclose(X[handle], moved(T, V[handle]), atol=1e-12 * size(V))
+    np.testing.assert_allclose(X[handle], moved(T, V[handle]), atol=1e-12 * diagonal(V))
 
 
 @pytest.mark.parametrize("rigid", LEVELS)
@@ -205,7 +207,9 @@ def test_the_moments_of_grabs_stay_met(rigid: int) -> None:
     for weights, motion_of in ((w, T), (other, S)):
         weights = np.where(np.isin(np.arange(len(V)), FIXED), 0.0, weights)
         moments = (rest * weights[:, None]).T
-        np.testing.assert_allclose(moments @ X, moments @ moved(motion_of, V), atol=1e-8 * size(V))
+        np.testing.assert_allclose(
+            moments @ X, moments @ moved(motion_of, V), atol=1e-8 * diagonal(V)
+        )
 
 
 @pytest.mark.parametrize("rigid", LEVELS)
@@ -232,4 +236,4 @@ def test_large_turns_go_along_with_one_rigid_motion_of_everything(make: Make) ->
     deformer, T = make(V), turn([38], 170)
     S, M = turn([10], 35), motion(rotation([3, -1, 2], 130), [5, -2, 1])
     once, again = deformer.pose([S, S @ T], 4), deformer.pose([M @ S, M @ S @ T], 4)
-    np.testing.assert_allclose(again, moved(M, once), atol=1e-6 * size(V))
+    np.testing.assert_allclose(again, moved(M, once), atol=1e-6 * diagonal(V))

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from solver import ConstraintError, Deformer, Setup
+from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import motion, moved, rotation
 from solver.geometry.procrustes import rigid_motion
 from solver.geometry.welding import pieces
@@ -13,7 +14,7 @@ from solver.linear.binding import bind
 from solver.linear.rest_surface import RestSurface
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
-from tests.solver.shapes import Surface, size
+from tests.solver.shapes import Surface
 
 T = motion(rotation([0, 0, 1], 30), [0.2, 0.3, 0], [4, 0, 0])
 
@@ -49,7 +50,7 @@ def piece(number: int, surface: Surface = DRESSED) -> IntArray:
 def gap(X: FloatArray, one: IntArray, other: IntArray) -> float:
     """The mean distance of some vertices to the nearest of others, in diagonals of the tube."""
     away = np.linalg.norm(X[one][:, None] - X[other][None], axis=2).min(axis=1)
-    return float(away.mean()) / size(TUBE[0])
+    return float(away.mean()) / diagonal(TUBE[0])
 
 
 def touching(V: FloatArray, one: IntArray, other: IntArray) -> IntArray:
@@ -78,14 +79,14 @@ def test_small_pieces_keep_their_shape(rigid: int) -> None:
     for number in (1, 2, 3):
         rest, now = V[piece(number)], X[piece(number)]
         missed = moved(rigid_motion(rest, now), rest) - now
-        assert np.linalg.norm(missed, axis=1).max() < 0.01 * size(rest)
+        assert np.linalg.norm(missed, axis=1).max() < 0.01 * diagonal(rest)
 
 
 def test_the_body_hardly_feels_them() -> None:
     V, F = DRESSED
     X = Deformer(V, F, ROOT, [TIP]).pose([T], 1)
     alone = Deformer(*TUBE, ROOT, [TIP]).pose([T], 1)
-    assert np.abs(X[piece(0)] - alone).max() < 0.01 * size(V)
+    assert np.abs(X[piece(0)] - alone).max() < 0.01 * diagonal(V)
 
 
 def test_a_piece_follows_through_another() -> None:
@@ -119,7 +120,7 @@ def test_one_motion_of_all_that_is_held_moves_everything(rigid: int) -> None:
     V, F = DRESSED
     M = motion(rotation([1, 2, 3], 100), [1, 2, 3])
     X = Deformer(V, F, (), [ROOT, TIP]).pose([M, M], rigid)
-    np.testing.assert_allclose(X, moved(M, V), atol=1e-7 * size(V))
+    np.testing.assert_allclose(X, moved(M, V), atol=1e-7 * diagonal(V))
 
 
 def test_an_affine_motion_of_everything_costs_nothing() -> None:

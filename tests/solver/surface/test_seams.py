@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from solver import ConstraintError, Deformer
+from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import motion, rotation
 from solver.geometry.topology import Topology
 from solver.geometry.welding import pieces, weld
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
-from tests.solver.shapes import size
 
 V, F = shapes.tube(24, 12)
 ROOT, TIP = V[:, 0] < 1, V[:, 0] > 7
@@ -48,12 +48,12 @@ def test_a_cut_mesh_deforms_as_the_uncut_one(patch: IntArray, rigid: int) -> Non
 
     whole, seamed = surface(V, F, np.arange(len(V))), surface(V[source], faces, source)
     expected = whole.pose([T], rigid)
-    assert np.abs(seamed.pose([T], rigid) - expected[source]).max() < 1e-9 * size(V)
+    assert np.abs(seamed.pose([T], rigid) - expected[source]).max() < 1e-9 * diagonal(V)
     weights = np.exp(-((V[:, 0] - 5) ** 2))
     grabs = [motion(np.eye(3)), motion(rotation([1, 0, 0], 30), [0, 1, 0])]
     expected = whole.grab(weights).pose(grabs, rigid)
     actual = seamed.grab(weights[source]).pose(grabs, rigid)
-    assert np.abs(actual - expected[source]).max() < 1e-9 * size(V)
+    assert np.abs(actual - expected[source]).max() < 1e-9 * diagonal(V)
 
 
 def test_targets_are_met_on_both_sides_of_a_seam() -> None:
@@ -93,7 +93,7 @@ def test_closed_surfaces_that_touch_stay_apart() -> None:
 
 def test_places_a_billionth_apart_are_one_place() -> None:
     source, faces = cut(F, PATCHES["patches"])
-    W = V[source] + 2e-10 * size(V) * rng.uniform(-1, 1, (len(source), 3))
+    W = V[source] + 2e-10 * diagonal(V) * rng.uniform(-1, 1, (len(source), 3))
     welded = weld(W, Topology(faces, len(W)))
     assert len(np.unique(welded)) == len(V)
     np.testing.assert_array_equal(source[np.unique(welded, return_index=True)[1]][welded], source)
