@@ -93,9 +93,11 @@ class Editor(Workspace):
         """What is to be drawn now; edges: whether those of the mesh are."""
         dots = None
         if MAPS[self.map].pins:
-            version = self.document.revision["pinned"], self.positions_version
+            revision = self.document.revision["pinned"]
+            version = revision, self.positions_version, self.parts.hidden
             dots = self._dots(version, self._pinned)
-        return Scene(self.document.mesh, self.positions, self.colors, dots, edges, self.cursor)
+        mesh, polygons = self.document.mesh, self.parts.polygons
+        return Scene(mesh, polygons, self.positions, self.colors, dots, edges, self.cursor)
 
     @property
     def colors(self) -> FloatArray:
@@ -143,7 +145,11 @@ class Editor(Workspace):
             return self.surface.bind_error
         hint = TOOLS[self.tool].hint or TO_DRAG
         if not (role == FIXED).any():
-            hint += "; nothing is fixed, so the whole part moves along"
+            return f"{hint}; nothing is fixed, so the whole part moves along"
+        active, bound = self.active, self.surface.bound
+        if active is not None and bound is not None and bound.is_loose(active.key):
+            piece = self.document.mesh.pieces[self.document.vertices_of(active.key)[0]]
+            hint += f"; nothing holds {self.parts.name(int(piece))}, so it moves as a whole"
         return hint
 
     def _pinned(self) -> Dots | None:
@@ -151,7 +157,7 @@ class Editor(Workspace):
         document = self.document
         if not document.pinned.any():
             return None
-        return Dots(self.positions[document.pinned], self._dot_radius)
+        return Dots(self.positions[document.pinned & self.parts.visible], self._dot_radius)
 
     def _refresh(self) -> None:
         self.surface.follow(self.document, self.captures, self.dragging)

@@ -31,7 +31,7 @@ def draw(figures: Sequence[Figure], folder: Path) -> None:
     radius = dot_radius(mesh.vertices, Topology(mesh.faces, len(mesh.vertices)).edges)
     for figure in figures:
         dots = None if figure.pins is None else Dots(figure.X[figure.pins], radius)
-        view.show(Scene(mesh, figure.X, figure.colors, dots))
+        view.show(Scene(mesh, mesh.polygons, figure.X, figure.colors, dots))
         view.look(CAMERAS[figure.camera])
         view.picture(folder / figure.picture)
         print(f"{folder / figure.picture}: {figure.title}")

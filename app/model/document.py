@@ -132,6 +132,10 @@ class Document:
             attach=self.attach,
         )
 
+    def follows(self, piece: int) -> bool:
+        """Whether a piece of the mesh follows the larger one that it is near."""
+        return self.attach if isinstance(self.attach, bool) else piece in self.attach
+
     @property
     def bound_keys(self) -> tuple[int, ...]:
         """The keys of the handles that have vertices, in their order."""

@@ -54,5 +54,5 @@ def brush_rim(work: Workspace, frame: Input) -> Outline | None:
     hit = work.under(frame)
     if hit is None:
         return None
-    corners = work.positions[work.document.mesh.faces[hit.face]]
+    corners = work.positions[work.parts.faces[hit.face]]
     return brush_outline(hit, corners, work.brush_radius, frame.camera, frame.shift)

@@ -35,7 +35,9 @@ class View:
     def show(self, scene: Scene) -> None:
         """Upload what differs from the scene shown before, and nothing else."""
         before = self._shown
-        if before is None or scene.mesh is not before.mesh:
+        if before is None or scene.polygons is not before.polygons:
+            if before is None or scene.mesh is not before.mesh:
+                self.frame_mesh(scene.positions)
             before = self._register(scene)
         if scene.positions is not before.positions:
             self._mesh.update_vertex_positions(scene.positions)
@@ -50,15 +52,14 @@ class View:
         self._shown = scene
 
     def _register(self, scene: Scene) -> Scene:
-        """Another surface, seen as a whole; returns what of the scene is shown by now."""
+        """Another surface, or another part of it; returns what of the scene is shown by now."""
         self._mesh = ps.register_surface_mesh(
-            SURFACE, scene.positions, scene.mesh.polygons, smooth_shade=True, material="wax"
+            SURFACE, scene.positions, scene.polygons, smooth_shade=True, material="wax"
         )
         self._mesh.set_back_face_policy("identical")
         self._mesh.set_edge_color(EDGE_COLOR)
         self._mesh.add_color_quantity(COLORS, scene.colors, enabled=True)
         _place(scene.dots)
-        self.frame_mesh(scene.positions)
         return replace(scene, edges=False)
 
     def frame_mesh(self, positions: FloatArray) -> None:

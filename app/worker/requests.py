@@ -90,6 +90,11 @@ class Bound:
     seconds: float
     pose: Refined | None = None
 
+    def is_loose(self, key: int) -> bool:
+        """Whether nothing but this handle, which may be unknown, holds what it is part of."""
+        keys = self.request.keys
+        return key in keys and self.model.is_loose(keys.index(key))
+
 
 @dataclass(frozen=True, eq=False)
 class Refined:

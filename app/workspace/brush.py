@@ -9,7 +9,8 @@ import scipy.sparse as sp
 from scipy.sparse.csgraph import breadth_first_order
 
 from app.workspace.picking import Hit
-from solver.geometry.topology import Topology
+from solver.geometry.topology import Topology, components
+from solver.geometry.welding import seam_links, weld
 from solver.softness.falloff import falloff
 from solver.types import FloatArray, IntArray
 
@@ -30,18 +31,20 @@ class Brush:
 
 
 class Neighbours:
-    """Which vertices edges join; built once a mesh. A vertex no face uses has no neighbours.
+    """Which vertices edges and seams join; built once a mesh. A stray vertex has no neighbours.
 
     edges: (e, 2).  component: (n,) the connected piece that each vertex belongs to.
     """
 
-    def __init__(self, faces: IntArray, vertex_count: int) -> None:
-        topology = Topology(faces, vertex_count)
+    def __init__(self, vertices: FloatArray, faces: IntArray) -> None:
+        topology = Topology(faces, len(vertices))
         self.edges = topology.edges
-        self.component = topology.vertex_component
-        a, b = topology.edges.T
+        links = np.concatenate([topology.edges, seam_links(weld(vertices, topology))])
+        self.component = components(links, len(vertices))
+        a, b = links.T
         ends = np.concatenate([a, b]), np.concatenate([b, a])
-        self._graph = sp.csr_array((np.ones(2 * len(a)), ends), shape=(vertex_count, vertex_count))
+        size = (len(vertices), len(vertices))
+        self._graph = sp.csr_array((np.ones(2 * len(a)), ends), shape=size)
 
     def dab(
         self, positions: FloatArray, hit: Hit, radius: float, start: FloatArray | None = None

@@ -48,13 +48,14 @@ class Scene:
     What has not changed since the last scene is the same object, so that the view can tell by
     identity: arrays are never written in place once they are part of a scene.
 
-    mesh: whose polygons are drawn; another mesh is another surface, seen afresh.
+    mesh: another one is another surface, seen afresh.  polygons: those of it that are drawn.
     positions: (n, 3) of its vertices.  colors: (n, 3) RGB in [0, 1] of its vertices.
     dots: what is pinned.  edges: whether the edges of the polygons are drawn.
     outline: where the tool in the hand would act.
     """
 
     mesh: Mesh
+    polygons: IntArray | list[list[int]]
     positions: FloatArray
     colors: FloatArray
     dots: Dots | None = None

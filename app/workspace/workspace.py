@@ -21,6 +21,7 @@ from app.workspace.events import Input
 from app.workspace.heat import Heat
 from app.workspace.latest import Latest
 from app.workspace.live_surface import LiveSurface
+from app.workspace.parts import Parts
 from app.workspace.picking import Hit, Picker
 from solver.types import FloatArray
 
@@ -83,8 +84,9 @@ class Workspace:
         self.session_path = session_path
         self.history = History()
         self.surface = LiveSurface(mesh, self.worker, self._complain)
-        self.neighbours = Neighbours(mesh.faces, len(mesh.vertices))
+        self.neighbours = Neighbours(mesh.vertices, mesh.faces)
         self.heat = Heat(mesh)
+        self.parts = Parts(mesh)
         self._picker = Picker(mesh.faces)
         self._under: Latest[Hit | None] = Latest()
         self._active = document.handles[0].key if document.handles else None
@@ -134,6 +136,12 @@ class Workspace:
     def pick(self, ray: Ray) -> Hit | None:
         """The first point of the surface on screen that the ray meets."""
         return self._picker.pick(ray, self.positions)
+
+    def show_part(self, number: int, on: bool) -> None:
+        """Show a part again, or hide it."""
+        self.parts.show(number, on)
+        self._picker = Picker(self.parts.faces)
+        self._under = Latest()
 
     @property
     def positions(self) -> FloatArray:

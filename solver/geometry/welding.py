@@ -40,6 +40,20 @@ def weld(V: FloatArray, topology: Topology) -> IntArray:
     return components(pairs.reshape(-1, 2), count)
 
 
+def seam_links(welded: IntArray) -> IntArray:
+    """(q, 2) vertices that became one: enough to join all that did."""
+    order = np.argsort(welded, kind="stable")
+    same = welded[order][1:] == welded[order][:-1]
+    return np.column_stack([order[:-1][same], order[1:][same]])
+
+
+def welded_surface(V: FloatArray, F: IntArray) -> tuple[FloatArray, IntArray, IntArray]:
+    """Positions (k, 3) and triangles (m, 3) without seams, and (n,) the vertex each became."""
+    welded = weld(V, Topology(F, len(V)))
+    first = np.unique(welded, return_index=True)[1]
+    return V[first], welded[F], welded
+
+
 def pieces(V: FloatArray, F: IntArray) -> IntArray:
     """(n,) the number of the connected piece of each vertex, seams welded.
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from solver.arrays import as_floats
 from solver.errors import ConstraintError
-from solver.linear.best_rotation import best_rotation
+from solver.linear.best_rotation import NEGLIGIBLE, best_rotation
 from solver.types import FloatArray, IntArray
 
 # One (4, 4) for each handle: a list, or an array (h, 4, 4).
@@ -104,6 +104,11 @@ class DragModel:
         T[:3, :3] = R
         T[:3, 3] = q - R @ p
         return T
+
+    def is_loose(self, handle: int) -> bool:
+        """Whether a handle moves alone at no cost: nothing else holds what it is part of."""
+        own = slice(4 * handle, 4 * handle + 4)
+        return bool(np.abs(self.form[own, own]).max() <= NEGLIGIBLE * self.stiffness)
 
     def steps(self, transforms: Transforms) -> FloatArray:
         """(4h, 3): T - I of every handle, stacked, in normalised units. Raises ConstraintError."""

@@ -12,6 +12,7 @@ from solver.arrays import as_faces, as_floats, as_vertices
 from solver.errors import MaterialError
 from solver.factor import factorize
 from solver.geometry.laplacian import cotangent_laplacian
+from solver.geometry.welding import welded_surface
 from solver.softness.material import Material, resolve_material
 from solver.types import FloatArray, IntArray
 
@@ -65,7 +66,7 @@ def smooth_softness(V: ArrayLike, F: ArrayLike, softness: ArrayLike) -> FloatArr
 
     Each lowers the Dirichlet energy and stays between the smallest and the largest value of s.
     All vertices count the same, so that it reaches as many edges in a fine part as in a coarse
-    one. Vertices of softness 0 that would get almost none keep 0.
+    one. Seams are welded. Vertices of softness 0 that would get almost none keep 0.
     Raises MeshError, or MaterialError unless softness is (n,) in [0, 1].
     """
     V = as_vertices(V)
@@ -77,10 +78,12 @@ def smooth_softness(V: ArrayLike, F: ArrayLike, softness: ArrayLike) -> FloatArr
         raise MaterialError(
             f"softness must lie in [0, 1], got {before.min():g} to {before.max():g}"
         )
-    system = factorize(sp.csr_array(sp.eye_array(len(V)) + STEP * cotangent_laplacian(V, F)))
-    after = before[:, None]
+    P, faces, welded = welded_surface(V, F)
+    count = np.bincount(welded)
+    system = factorize(sp.csr_array(sp.eye_array(len(P)) + STEP * cotangent_laplacian(P, faces)))
+    after = (np.bincount(welded, before) / count)[:, None]
     for _ in range(STEPS):
         after = system.solve(after)
     # Rounding may pass the bounds by a unit in the last place.
-    smooth = np.clip(after[:, 0], before.min(initial=1.0), before.max(initial=0.0))
+    smooth = np.clip(after[welded, 0], before.min(initial=1.0), before.max(initial=0.0))
     return np.where((before == 0) & (smooth < LEAST), 0.0, smooth)

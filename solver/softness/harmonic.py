@@ -10,6 +10,7 @@ from solver.errors import MaterialError
 from solver.factor import factorize
 from solver.geometry.laplacian import cotangent_laplacian
 from solver.geometry.topology import Topology
+from solver.geometry.welding import welded_surface
 from solver.types import FloatArray
 
 
@@ -20,7 +21,7 @@ def interpolate_softness(
 
     L is the cotangent Laplacian with weights clamped to positive values, so that the maximum
     principle holds: the result lies between the smallest and the largest value given. A
-    component with no value is rigid (0). values: (k,) in [0, 1].
+    component with no value is rigid (0). Seams are welded. values: (k,) in [0, 1].
     Raises MeshError, ConstraintError (indices) or MaterialError (values).
 
     >>> import solver
@@ -41,13 +42,19 @@ def interpolate_softness(
     if len(np.unique(painted)) != len(painted):
         raise MaterialError("indices name a vertex twice, expected one value for each")
     check_unit_interval(values, "values", MaterialError)
-    softness = np.zeros(len(V))
-    softness[painted] = values
-    component = Topology(F, len(V)).vertex_component
-    free = np.isin(component, component[painted])
-    free[painted] = False
-    L = cotangent_laplacian(V, F)[np.flatnonzero(free)]
+    P, faces, welded = welded_surface(V, F)
+    given = welded[painted]
+    copies = np.bincount(given, minlength=len(P))
+    known = np.flatnonzero(copies)
+    softness = np.zeros(len(P))
+    softness[known] = (np.bincount(given, values, len(P)) / np.maximum(copies, 1))[known]
+    component = Topology(faces, len(P)).vertex_component
+    free = np.isin(component, component[known])
+    free[known] = False
+    L = cotangent_laplacian(P, faces)[np.flatnonzero(free)]
     if free.any():
         softness[free] = factorize(L[:, np.flatnonzero(free)]).solve(-(L @ softness)[:, None])[:, 0]
     # Rounding may pass the bounds by a unit in the last place; painting code relies on them.
-    return np.clip(softness, values.min(initial=0.0), values.max(initial=0.0))
+    everywhere = np.clip(softness, values.min(initial=0.0), values.max(initial=0.0))[welded]
+    everywhere[painted] = values
+    return everywhere

@@ -5,6 +5,7 @@ from __future__ import annotations
 from app.editor.action import Actions
 from app.editor.actions.choices import CHOICE_ACTIONS
 from app.editor.actions.history import HISTORY_ACTIONS
+from app.editor.actions.parts import PART_ACTIONS
 from app.editor.actions.poses import POSE_ACTIONS
 from app.editor.actions.regions import REGION_ACTIONS
 from app.editor.actions.settings import SETTING_ACTIONS
@@ -16,6 +17,7 @@ ACTIONS: Actions = {
     **REGION_ACTIONS,
     **SOFTNESS_ACTIONS,
     **SETTING_ACTIONS,
+    **PART_ACTIONS,
     **POSE_ACTIONS,
     **HISTORY_ACTIONS,
     **FILE_ACTIONS,

@@ -8,6 +8,7 @@ from app.editor import commands as c
 from app.editor.editor import Editor
 from app.window.panel.colours import colours
 from app.window.panel.file_rows import FileRows
+from app.window.panel.parts import parts
 from app.window.panel.regions import regions
 from app.window.panel.settings import pose, soft_parts, softness_warnings
 from app.window.panel.status import status
@@ -17,7 +18,16 @@ from app.window.shortcuts import SHORTCUTS
 
 __all__ = ["ERROR_COLOR", "WIDTH", "Panel"]
 
-SECTIONS = (status, choose_tool, tool_options, regions, soft_parts, softness_warnings, pose)
+SECTIONS = (
+    status,
+    choose_tool,
+    tool_options,
+    regions,
+    parts,
+    soft_parts,
+    softness_warnings,
+    pose,
+)
 PLACE = (
     psim.ImGuiWindowFlags_NoTitleBar
     | psim.ImGuiWindowFlags_NoResize

@@ -19,7 +19,7 @@ def hit_from_above(mesh: Mesh, x: float, y: float) -> Hit:
 
 
 def neighbours(mesh: Mesh) -> Neighbours:
-    return Neighbours(mesh.faces, len(mesh.vertices))
+    return Neighbours(mesh.vertices, mesh.faces)
 
 
 def test_a_brush_takes_the_disc_around_the_hit() -> None:

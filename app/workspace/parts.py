@@ -1,0 +1,63 @@
+"""The parts of what is open: the connected pieces of the mesh, and which of them are hidden."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from solver.mesh.mesh import Mesh
+from solver.types import BoolArray, IntArray
+
+
+@dataclass(frozen=True)
+class Part:
+    """number: of the piece, as in Mesh.pieces.  count: of its vertices."""
+
+    number: int
+    name: str
+    count: int
+
+
+class Parts:
+    """The parts of a mesh. A hidden one is neither seen, picked nor painted; it still follows.
+
+    hidden: their numbers.  visible: (n,) the vertices that are seen.
+    faces: the triangles that are seen.  polygons: the same of the file's polygons.
+    """
+
+    def __init__(self, mesh: Mesh) -> None:
+        self._mesh = mesh
+        self.all = _parts(mesh)
+        self.hidden: frozenset[int] = frozenset()
+        self._hide(self.hidden)
+
+    def show(self, number: int, on: bool) -> None:
+        """Show a part again, or hide it."""
+        self._hide(self.hidden - {number} if on else self.hidden | {number})
+
+    def name(self, number: int) -> str:
+        """What a piece is called; empty for none."""
+        return self.all[number].name if 0 <= number < len(self.all) else ""
+
+    def _hide(self, hidden: frozenset[int]) -> None:
+        self.hidden = hidden
+        self.visible: BoolArray = ~np.isin(self._mesh.pieces, list(hidden))
+        self.faces: IntArray = self._mesh.faces[self.visible[self._mesh.faces[:, 0]]]
+        self.polygons = self._seen()
+
+    def _seen(self) -> IntArray | list[list[int]]:
+        """The polygons of the file that are seen."""
+        polygons, outlines = self._mesh.polygons, self._mesh.outlines
+        if not self.hidden:
+            return polygons
+        seen = self.visible[outlines.corners[outlines.starts]]
+        if isinstance(polygons, list):
+            return [polygon for polygon, one in zip(polygons, seen, strict=True) if one]
+        return polygons[seen]
+
+
+def _parts(mesh: Mesh) -> tuple[Part, ...]:
+    counts = np.bincount(mesh.pieces[mesh.pieces >= 0])
+    names = [f"piece {number + 1}" for number in range(len(counts))]
+    return tuple(Part(*row) for row in zip(range(len(counts)), names, counts.tolist(), strict=True))
