@@ -13,8 +13,8 @@ from solver.errors import (
     MeshError,
     SolverError,
 )
-from solver.geometry.fundamental_forms import FundamentalForms, fundamental_forms
-from solver.geometry.reconstruction import reconstruct
+from solver.forms.fundamental_forms import FundamentalForms, fundamental_forms
+from solver.forms.reconstruction import reconstruct
 from solver.mesh.mesh import Mesh, load_mesh
 from solver.setup import Setup
 from solver.softness.harmonic import interpolate_softness

@@ -15,6 +15,7 @@ LAYERS = (
     "solver.errors solver.types solver.arrays solver.storage",
     "solver.factor",
     "solver.geometry",
+    "solver.forms",
     "solver.mesh solver.softness solver.measure",
     "solver.setup",
     "solver.surface",

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from app.editor.actions import ACTIONS
 from app.editor.commands import Command
+from app.editor.softness_warnings import softness_warnings
 from app.model.document import Document
 from app.model.handles import FIRST_HANDLE, FIXED
 from app.tools.table import TOOLS
@@ -13,7 +14,6 @@ from app.workspace.color_maps import MAPS
 from app.workspace.events import Input
 from app.workspace.latest import Latest
 from app.workspace.scene import Dots, Outline, Scene, dot_radius
-from app.workspace.softness_warnings import softness_warnings
 from app.workspace.workspace import Workspace
 from solver.errors import SolverError
 from solver.types import FloatArray

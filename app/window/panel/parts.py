@@ -8,7 +8,7 @@ from app.editor import commands as c
 from app.editor.editor import Editor
 
 ROWS = 6  # more than these scroll
-FOLLOWS_COLUMN = 228.0
+FOLLOWS_COLUMN = 220.0
 
 
 def parts(editor: Editor, asked: list[c.Command]) -> None:
@@ -21,6 +21,9 @@ def parts(editor: Editor, asked: list[c.Command]) -> None:
     psim.SetItemTooltip("Eyes stay in the head, buttons on the shirt")
     if changed:
         asked.append(c.SetSetting("attach", on))
+    psim.TextDisabled("shown")
+    psim.SameLine(FOLLOWS_COLUMN)
+    psim.TextDisabled("follows")
     height = min(len(found), ROWS) * psim.GetFrameHeightWithSpacing()
     psim.BeginChild("##parts", (0.0, height))
     for part in found:

@@ -82,28 +82,6 @@ def test_softness_of_nothing_is_left_out(tmp_path: Path) -> None:
     assert "softness" not in json.loads((tmp_path / "a.json").read_text())
 
 
-def test_a_piece_that_there_is_not_is_refused(tmp_path: Path) -> None:
-    document = Document(slab(2, 2, 1.0), tmp_path / "arm.obj")
-    document.change("attach", [0, 1])
-    write_session(tmp_path / "a.json", document)
-    with pytest.raises(SessionError, match=r"settings\.attach\[1\]: expected 0 to 0, got 1"):
-        to_document(read_session(tmp_path / "a.json"), document.mesh, document.path)
-
-
-@pytest.mark.parametrize("attach", [False, [], [0]])
-def test_which_pieces_follow_is_kept_and_the_default_is_left_out(
-    tmp_path: Path, attach: object
-) -> None:
-    document = Document(slab(2, 2, 1.0), tmp_path / "arm.obj")
-    write_session(tmp_path / "a.json", document)
-    assert "attach" not in json.loads((tmp_path / "a.json").read_text())["settings"]
-    document.change("attach", attach)
-    write_session(tmp_path / "a.json", document)
-    again = to_document(read_session(tmp_path / "a.json"), document.mesh, document.path)
-    assert again.attach == attach
-    assert again.setup() == document.setup()
-
-
 def test_a_preset_is_written_by_name_and_gains_as_numbers(tmp_path: Path) -> None:
     document = Document(slab(2, 2, 1.0), tmp_path / "arm.obj")
     for material, written in (("clay", "clay"), (Material(2, 3), {"bending": 2, "stretching": 3})):

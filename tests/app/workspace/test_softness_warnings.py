@@ -8,9 +8,9 @@ from app.bundled import DEFAULT_SESSION
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.editor.file_actions import load_document
+from app.editor.softness_warnings import STEEP, WEAK
 from app.model.handles import FIXED
 from app.worker.inline import InlineWorker
-from app.workspace.softness_warnings import STEEP, WEAK
 from solver import Material
 from tests.app.person import Person, slab
 

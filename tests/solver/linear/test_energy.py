@@ -8,6 +8,7 @@ import scipy.sparse as sp
 from scipy.sparse.linalg import spsolve
 
 from solver import Deformer, fundamental_forms
+from solver.forms.residuals import reconstruction_residuals
 from solver.geometry.cotangent_weights import (
     LARGEST,
     SMALLEST,
@@ -19,13 +20,12 @@ from solver.geometry.cotangent_weights import (
 from solver.geometry.frames import triangle_frames
 from solver.geometry.laplacian import cotangent_laplacian
 from solver.geometry.motions import motion, rotation
-from solver.geometry.reconstruction_residuals import reconstruction_residuals
 from solver.geometry.topology import Topology
 from solver.linear.assembly import deformation_matrix
 from solver.types import FloatArray, IntArray
 from tests.solver import shapes
 from tests.solver.definition import Definition, Gains, resolved, stack
-from tests.solver.geometry.test_forms import SURFACES
+from tests.solver.forms.test_forms import SURFACES
 
 L = 0.3
 

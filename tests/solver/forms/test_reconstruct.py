@@ -12,7 +12,7 @@ from solver.geometry.bounding_box import diagonal
 from solver.geometry.frames import triangle_frames
 from solver.geometry.motions import motion, moved
 from tests.solver import shapes
-from tests.solver.geometry.test_forms import SURFACES
+from tests.solver.forms.test_forms import SURFACES
 
 
 def error_after_alignment(X: np.ndarray, V: np.ndarray) -> float:

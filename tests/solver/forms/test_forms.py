@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from solver import MeshError, fundamental_forms
-from solver.geometry.frames import triangle_frames
-from solver.geometry.fundamental_forms import (
+from solver.forms.fundamental_forms import (
     corner_points,
     transitions,
 )
+from solver.geometry.frames import triangle_frames
 from solver.geometry.topology import Topology
 from tests.solver import shapes
 from tests.solver.shapes import Surface

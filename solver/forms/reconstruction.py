@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike
 from solver.arrays import as_faces, as_floats
 from solver.errors import MeshError
 from solver.factor import factorize
+from solver.forms.fundamental_forms import FundamentalForms
+from solver.forms.residuals import reconstruction_residuals
 from solver.geometry.cotangent_weights import heron
-from solver.geometry.fundamental_forms import FundamentalForms
-from solver.geometry.reconstruction_residuals import reconstruction_residuals
 from solver.geometry.topology import Topology
 from solver.types import FloatArray
 

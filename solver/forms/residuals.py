@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 
-from solver.geometry.cotangent_weights import rest_weights
-from solver.geometry.fundamental_forms import (
+from solver.forms.fundamental_forms import (
     FundamentalForms,
     corner_points,
     transitions,
 )
+from solver.geometry.cotangent_weights import rest_weights
 from solver.geometry.topology import HALF_EDGE_END, HALF_EDGE_START, FacePairs, Topology
 from solver.types import FloatArray
 
