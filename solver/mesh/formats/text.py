@@ -15,8 +15,8 @@ from solver.types import FloatArray
 class Text:
     """The lines of one file: `lines` as they are, `bare` without what is no content.
 
-    A line may hold several that were continued. Rows are split again and again, never kept: lists
-    by the hundred thousand keep Python's garbage collector busy for longer than the splitting.
+    Rows are split again and again, never kept: lists by the hundred thousand keep Python's garbage
+    collector busy for longer than the splitting.
     """
 
     name: str
@@ -25,18 +25,27 @@ class Text:
 
     def error(self, line: int, message: str) -> MeshError:
         """An error about line number `line` (from 0), quoting the line."""
-        number = 1 + sum(len(text.splitlines()) for text in self.lines[:line])
-        quote = self.lines[line].decode("utf-8", "replace").strip()
-        quote = quote if len(quote) <= 60 else quote[:57] + "..."
-        return MeshError(f"{self.name}, line {number}: {message}, got {quote!r}")
+        return line_error(self.name, line + 1, self.lines[line], message)
+
+
+def line_error(name: str, number: int, line: bytes, message: str) -> MeshError:
+    """An error about line `number` (from 1), quoting the line."""
+    quote = line.decode("utf-8", "replace").strip()
+    quote = quote if len(quote) <= 60 else quote[:57] + "..."
+    return MeshError(f"{name}, line {number}: {message}, got {quote!r}")
+
+
+def check_text(name: str, data: bytes, kind: str) -> None:
+    """Raises MeshError where the file is no text."""
+    if not data or data.isspace():
+        raise MeshError(f"{name}: the file is empty, expected {kind}")
+    if b"\0" in data:
+        raise MeshError(f"{name}: the file holds binary data, expected {kind}")
 
 
 def split_lines(name: str, data: bytes, kind: str) -> list[bytes]:
     """The lines of a text file, endings kept. Raises MeshError where the file is no text."""
-    if not data.strip():
-        raise MeshError(f"{name}: the file is empty, expected {kind}")
-    if b"\0" in data:
-        raise MeshError(f"{name}: the file holds binary data, expected {kind}")
+    check_text(name, data, kind)
     return data.splitlines(keepends=True)
 
 

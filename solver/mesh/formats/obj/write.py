@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator
+from itertools import pairwise
 
 import numpy as np
 
 from solver.mesh.formats.format import DeformedSurface
-from solver.mesh.formats.obj.read import ObjSource, byte_order_mark, obj_lines
+from solver.mesh.formats.lines import point_lines, polygon_lines
+from solver.mesh.formats.obj.read import ObjSource
+from solver.mesh.formats.splice import replace_words
 from solver.mesh.normals import turn_normals
 from solver.mesh.polygons import Polygons
 from solver.types import FloatArray, IntArray
 
 # Blanks may hold a backslash that continues the line.
-_BLANK, _TOKEN = rb"(?:\s|\\(?=\s))+", rb"[^\s\\#]+"
-_THREE_NUMBERS = re.compile(
-    rb"\s*vn?" + rb"".join(rb"(" + _BLANK + rb")" + _TOKEN for _ in range(3))
-)
+_THREE_NUMBERS = re.compile(rb"vn?(?:[\s\\]+[^\s\\#]+){3}")
+# Bytes of the file that are worked on at a time.
+_SPAN = 1 << 20
 
 
 def write_obj(surface: DeformedSurface) -> bytes:
@@ -26,12 +28,13 @@ def write_obj(surface: DeformedSurface) -> bytes:
     Numbers have the shortest text that reads back the same float64.
     """
     if isinstance(surface.source, ObjSource):
-        return _rewritten(surface.source, surface)
-    return _plain(surface.positions, surface.polygons)
+        return b"".join(_rewritten(surface.source, surface))
+    one_based = Polygons(surface.polygons.sizes, surface.polygons.corners + 1)
+    return point_lines(b"v ", surface.positions) + polygon_lines(b"f", one_based)
 
 
-def _rewritten(source: ObjSource, surface: DeformedSurface) -> bytes:
-    """The source with new lines for the vertices that moved and the normals that turned.
+def _rewritten(source: ObjSource, surface: DeformedSurface) -> Iterator[bytes]:
+    """The source with new numbers for the vertices that moved and the normals that turned.
 
     Every other byte stays: other lines, weights and colours after coordinates, comments, blanks,
     line endings.
@@ -40,30 +43,24 @@ def _rewritten(source: ObjSource, surface: DeformedSurface) -> bytes:
     users = source.corner_normals[surface.triangle_corners]
     normals, turned = turn_normals(source.normals, users, rest, X, surface.triangles)
     moved = (rest != X).any(axis=1)
-    lines = obj_lines(source.data)
-    _replace(lines, source.vertex_lines[moved], X[moved])
-    _replace(lines, source.normal_lines[turned], normals[turned])
-    return byte_order_mark(source.data) + b"".join(lines)
+    at = np.concatenate([source.vertex_at[moved], source.normal_at[turned]])
+    values = np.concatenate([X[moved], normals[turned]])
+    order = np.argsort(at, kind="stable")
+    return _with_triples(source.data, at[order], values[order])
 
 
-def _plain(X: FloatArray, polygons: Polygons) -> bytes:
-    vertices = [b"v %a %a %a\n" % tuple(row) for row in X.tolist()]
-    one_based = Polygons(polygons.sizes, polygons.corners + 1)
-    faces = ["f " + " ".join(map(str, face)) + "\n" for face in one_based.tolist()]
-    return b"".join(vertices) + "".join(faces).encode()
-
-
-def _replace(lines: list[bytes], at: IntArray, values: FloatArray) -> None:
-    for i, (x, y, z) in zip(at.tolist(), _rows(values), strict=True):
-        line = lines[i]
-        match = _THREE_NUMBERS.match(line)
+def _with_triples(data: bytes, at: IntArray, values: FloatArray) -> Iterator[bytes]:
+    """The data with `values` (l, 3) after the keywords at bytes `at` (l,), piece by piece."""
+    bounds = np.searchsorted(at, np.arange(0, len(data) + _SPAN, _SPAN)).tolist()
+    done = 0
+    for first, stop in pairwise(bounds):
+        if first == stop:
+            continue
+        last_line = _THREE_NUMBERS.match(data, at[stop - 1])
         # The reader found three numbers in this very line.
-        assert match is not None
-        head = line[: match.start(1)]
-        a, b, c = match.groups()
-        lines[i] = b"%b%b%a%b%a%b%a%b" % (head, a, x, b, y, c, z, line[match.end() :])
-
-
-def _rows(values: FloatArray) -> Sequence[tuple[float, float, float]]:
-    rows: list[tuple[float, float, float]] = np.asarray(values, dtype=np.float64).tolist()
-    return rows
+        assert last_line is not None
+        start, end = int(at[first]), last_line.end()
+        yield data[done:start]
+        yield replace_words(data[start:end], at[first:stop] - start, values[first:stop])
+        done = end
+    yield data[done:]
