@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy.sparse as sp
-from scipy.sparse.csgraph import breadth_first_order
 
 from app.workspace.picking import Hit
 from solver.geometry.topology import Topology, components
@@ -55,14 +54,36 @@ class Neighbours:
         holds the hit: the far side of a thin part belongs to it only if the surface that leads
         there does. The vertex nearest to the hit is always taken. Weights: `falloff`.
         """
-        away = _squared_distances(positions, hit.position if start is None else start, hit.position)
-        inside = np.flatnonzero(away < radius**2)
-        seed = int(np.searchsorted(inside, hit.vertex))
-        if seed == len(inside) or inside[seed] != hit.vertex:
-            return np.array([hit.vertex]), np.ones(1)
-        graph = self._graph[inside][:, inside]
-        piece = inside[breadth_first_order(graph, seed, return_predecessors=False)]
-        return piece, falloff(np.sqrt(away[piece]) / radius)
+        seed, start = np.array([hit.vertex]), hit.position if start is None else start
+        reached, away = self._spread(positions, seed, start, hit.position, radius**2)
+        if len(reached) == 0:
+            return seed, np.ones(1)
+        return reached, falloff(np.sqrt(away) / radius)
+
+    def _spread(
+        self,
+        positions: FloatArray,
+        front: IntArray,
+        start: FloatArray,
+        end: FloatArray,
+        limit: float,
+    ) -> tuple[IntArray, FloatArray]:
+        """The vertices nearer to a segment than the root of `limit` that edges join to `front`
+        through others of them, and their squared distances.
+
+        From neighbours to neighbours, so that a dab costs what it touches, not what the mesh has.
+        """
+        seen = np.zeros(len(X), dtype=bool)
+        found, distances = [], []
+        while len(front):
+            seen[front] = True
+            away = _squared_distances(X[front], start, end)
+            near = away < limit
+            found.append(front[near])
+            distances.append(away[near])
+            around = self._graph[front[near]].indices
+            front = np.unique(around[~seen[around]]).astype(np.int64)
+        return np.concatenate(found), np.concatenate(distances)
 
     def smoothed(
         self, values: FloatArray, vertices: IntArray, amounts: FloatArray, rounds: int
