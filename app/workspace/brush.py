@@ -61,12 +61,7 @@ class Neighbours:
         return reached, falloff(np.sqrt(away) / radius)
 
     def _spread(
-        self,
-        positions: FloatArray,
-        front: IntArray,
-        start: FloatArray,
-        end: FloatArray,
-        limit: float,
+        self, X: FloatArray, front: IntArray, start: FloatArray, end: FloatArray, limit: float
     ) -> tuple[IntArray, FloatArray]:
         """The vertices nearer to a segment than the root of `limit` that edges join to `front`
         through others of them, and their squared distances.
