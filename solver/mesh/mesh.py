@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -14,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from solver.errors import MeshError
 from solver.geometry.welding import pieces
-from solver.mesh.formats.format import DeformedSurface, FileContent, Format
+from solver.mesh.formats.format import DeformedSurface, FileContent, Format, Groups
 from solver.mesh.formats.table import FORMATS
 from solver.mesh.polygons import Polygons, triangulate
 from solver.storage import read_bytes, write_atomically
@@ -41,6 +42,7 @@ class Mesh:
     faces: IntArray
     extras: Mapping[str, int]
     source: object
+    groups: Groups | None = None
 
     @classmethod
     def from_arrays(cls, V: ArrayLike, F: ArrayLike) -> Mesh:
@@ -80,26 +82,48 @@ class Mesh:
             return self.outlines.corners.reshape(-1, int(sizes[0]))
         return self.outlines.tolist()
 
-    def save(self, path: str | os.PathLike[str], X: ArrayLike) -> None:
+    def save(
+        self,
+        path: str | os.PathLike[str],
+        X: ArrayLike,
+        poses: Mapping[str, ArrayLike] | None = None,
+    ) -> None:
         """Write the mesh with positions X (n, 3), in the format of the path's suffix.
 
-        An OBJ saved from an OBJ keeps every byte of its source but the coordinates of `v` lines
-        that moved and of `vn` lines that turned. Other formats keep the polygons (STL: triangles).
-        Raises MeshError for X or the suffix, FileError where the file cannot be written.
+        A file saved in the format of its source keeps all else in it: an OBJ every byte but the
+        coordinates of `v` lines that moved and of `vn` lines that turned; a GLB or glTF everything
+        but positions, normals and tangents. Other formats keep the polygons (STL, GLB: triangles).
+        poses: positions (n, 3) by name. They become morph targets of a GLB or glTF, and beside any
+        other file, say out.obj, a file each: out-fist.obj.
+        Raises MeshError for positions, names or the suffix, FileError where a file cannot be
+        written.
 
         >>> mesh.save("large.ply", 10 * mesh.vertices)
         >>> solver.load_mesh("large.ply").vertices.max()
         np.float64(10.0)
         """
-        file_format = _format(path)
+        file_format, name = _format(path), os.fspath(path)
+        surface = DeformedSurface(
+            self.vertices,
+            self._positions(X),
+            self.outlines,
+            self.triangle_corners,
+            self.source,
+            name,
+            {pose: self._positions(Y) for pose, Y in (poses or {}).items()},
+        )
+        files = {name: surface}
+        if not file_format.keeps_poses:
+            files |= _pose_files(surface)
+        for file, content in files.items():
+            write_atomically(file, file_format.write(content))
+
+    def _positions(self, X: ArrayLike) -> FloatArray:
         positions = _positions(X)
         if positions.shape != self.vertices.shape:
             expected = self.vertices.shape
             raise MeshError(f"positions must be {expected}, got {positions.shape}")
-        surface = DeformedSurface(
-            self.vertices, positions, self.outlines, self.triangle_corners, self.source
-        )
-        write_atomically(path, file_format.write(surface))
+        return positions
 
 
 def load_mesh(path: str | os.PathLike[str]) -> Mesh:
@@ -126,7 +150,21 @@ def _build(content: FileContent, name: str) -> Mesh:
     faces = polygons.corners[corners]
     for array in (vertices, polygons.sizes, polygons.corners, corners, faces):
         _lock(array)
-    return Mesh(vertices, polygons, corners, faces, content.extras, content.source)
+    extras, source, groups = content.extras, content.source, content.groups
+    return Mesh(vertices, polygons, corners, faces, extras, source, groups)
+
+
+def _pose_files(surface: DeformedSurface) -> dict[str, DeformedSurface]:
+    """A file for each pose, named after it as far as a file's name allows."""
+    path = Path(surface.path)
+    files: dict[str, DeformedSurface] = {}
+    for pose, X in surface.poses.items():
+        safe = re.sub(r"[^\w.-]+", "_", pose)
+        name = str(path.with_name(f"{path.stem}-{safe}{path.suffix}"))
+        if name in files:
+            raise MeshError(f"{name}: two poses would be saved there, expected distinct names")
+        files[name] = replace(surface, positions=X, path=name)
+    return files
 
 
 def _positions(X: ArrayLike) -> FloatArray:

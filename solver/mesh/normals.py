@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy import sparse
 
 from solver.geometry.frames import triangle_frames
 from solver.types import BoolArray, FloatArray, IntArray
+
+# A direction that changes by less than this is the same.
+_SAME = 1e-9
 
 
 def turn_normals(
@@ -16,34 +20,33 @@ def turn_normals(
     `users` (m, 3) is the normal at each triangle corner, -1 for none. Every corner turns its normal
     by the rotation of its triangle, from its orthonormal frame at rest to the deformed one; the
     result is the mean over corners, weighted by rest area, at the length of the original. Triangles
-    without area, at rest or deformed, have no vote. Nothing turned where every vote is within 1e-9.
+    without area, at rest or deformed, have no vote. Below 1e-9 a normal has not turned.
     """
-    votes, weights, index, moved = _votes(normals, users, V, X, F)
-    k = len(normals)
-    mean = np.stack([np.bincount(index, weights * votes[:, c], k) for c in range(3)], axis=1)
-    length = np.linalg.norm(mean, axis=1)
-    total = np.bincount(index, weights, k)
+    size = np.linalg.norm(normals, axis=1, keepdims=True)
+    # NaN compares false: an unreadable normal has no direction, and stays.
+    before = np.divide(normals, size, out=np.zeros_like(normals), where=size > 0)
+    rotation, area = _mean_rotations(len(normals), users, V, X, F)
+    mean = np.einsum("kij,kj->ki", rotation, before)
+    length = np.linalg.norm(mean, axis=1, keepdims=True)
     # Opposite votes cancel: they have no mean direction, so the normal stays.
-    turned = (np.bincount(index, moved, k) > 0) & (length > 1e-9 * total)
-    size = np.linalg.norm(normals[turned], axis=1, keepdims=True)
+    decided = length > _SAME * area[:, None]
+    after = np.divide(mean, length, out=before.copy(), where=decided)
+    turned = np.linalg.norm(after - before, axis=1) > _SAME
     result = normals.copy()
-    result[turned] = mean[turned] / length[turned, None] * size
+    result[turned] = after[turned] * size[turned]
     return result, turned
 
 
-def _votes(
-    normals: FloatArray, users: IntArray, V: FloatArray, X: FloatArray, F: IntArray
-) -> tuple[FloatArray, FloatArray, IntArray, FloatArray]:
-    """For every voting corner: turned unit normal, weight, index of the normal, 1 if it moved."""
+def _mean_rotations(
+    count: int, users: IntArray, V: FloatArray, X: FloatArray, F: IntArray
+) -> tuple[FloatArray, FloatArray]:
+    """(k, 3, 3) the rotations of the triangles at each normal, summed by area, and the areas."""
     rest, deformed = triangle_frames(V[F]), triangle_frames(X[F])
-    both = ~(rest.degenerate | deformed.degenerate)
-    size = np.linalg.norm(normals, axis=1)
-    # NaN compares false: an unreadable normal takes no part.
-    has_direction = np.append(size > 0, False)
-    t, corner = np.nonzero(both[:, None] & has_direction[users])
-    index = users[t, corner]
-    before = normals[index] / size[index, None]
-    local = np.einsum("icx,ic->ix", rest.axes[t], before)
-    votes = np.einsum("icx,ix->ic", deformed.axes[t], local)
-    moved = np.linalg.norm(votes - before, axis=1) > 1e-9
-    return votes, rest.areas[t], index, moved.astype(np.float64)
+    rotations = deformed.axes @ rest.axes.transpose(0, 2, 1)
+    areas = np.where(rest.degenerate | deformed.degenerate, 0.0, rest.areas)
+    # Column by column the corners of a triangle.
+    weights = np.where(users < 0, 0.0, areas[:, None]).ravel()
+    starts = np.arange(0, users.size + 1, 3)
+    votes = sparse.csc_array((weights, np.maximum(users, 0).ravel(), starts), (count, len(F)))
+    total = np.asarray(votes @ np.ones(len(F)))
+    return np.asarray(votes @ rotations.reshape(-1, 9)).reshape(-1, 3, 3), total

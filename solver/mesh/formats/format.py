@@ -10,18 +10,28 @@ from solver.types import FloatArray, IntArray
 
 
 @dataclass(frozen=True, eq=False)
+class Groups:
+    """Named parts of a file: `of_polygon` (p,) is the place in `names` of each, -1 for none."""
+
+    names: tuple[str, ...]
+    of_polygon: IntArray
+
+
+@dataclass(frozen=True, eq=False)
 class FileContent:
     """What a mesh file holds.
 
     vertices: (n, 3) float64 in file order.  polygons: the faces over them.
     extras: what else is in it that saving keeps, in plain words, and how many of each.
     source: what its format needs to write that back, None where it keeps nothing.
+    groups: the polygons by the objects or nodes that they belong to, None where it names none.
     """
 
     vertices: FloatArray
     polygons: Polygons
     extras: Mapping[str, int] = field(default_factory=dict)
     source: object = None
+    groups: Groups | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +41,7 @@ class DeformedSurface:
     rest, positions: (n, 3) before and after.  polygons: its faces.  triangle_corners: (m, 3) the
     corners of `polygons` that each triangle takes.
     source: of the file the surface was read from. A format knows its own and ignores any other.
+    path: where it is to be written.  poses: positions (n, 3) by name, for formats that keep them.
     """
 
     rest: FloatArray
@@ -38,6 +49,8 @@ class DeformedSurface:
     polygons: Polygons
     triangle_corners: IntArray
     source: object = None
+    path: str = ""
+    poses: Mapping[str, FloatArray] = field(default_factory=dict)
 
     @property
     def triangles(self) -> IntArray:
@@ -52,7 +65,9 @@ class Format:
     read: from the bytes of a file and its path. Raises MeshError, in one line that starts with the
     path and names the place, where they do not hold a surface.
     write: to the bytes of a file.
+    keeps_poses: whether one file holds poses beside the surface; else each is a file of its own.
     """
 
     read: Callable[[bytes, str], FileContent]
     write: Callable[[DeformedSurface], bytes]
+    keeps_poses: bool = False

@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from solver.mesh.formats.format import Format
+from solver.mesh.formats.gltf.read import read_gltf
+from solver.mesh.formats.gltf.saving.write import write_glb, write_gltf
 from solver.mesh.formats.obj.read import read_obj
 from solver.mesh.formats.obj.write import write_obj
 from solver.mesh.formats.off import read_off, write_off
@@ -20,4 +22,6 @@ FORMATS: Mapping[str, Format] = {
     ".off": Format(read_off, write_off),
     ".ply": Format(read_ply, write_ply),
     ".stl": Format(read_stl, write_stl),
+    ".glb": Format(read_gltf, write_glb, keeps_poses=True),
+    ".gltf": Format(read_gltf, write_gltf, keeps_poses=True),
 }

@@ -13,7 +13,7 @@ from solver.mesh.formats.obj.corners import corner_numbers, is_corner
 from solver.mesh.formats.text import is_point
 from solver.types import FloatArray, IntArray
 
-_KEYWORDS = b"v", b"vt", b"vn", b"f", b"g"
+_KEYWORDS = b"v", b"vt", b"vn", b"f", b"g", b"o"
 
 
 class Flaw(NamedTuple):

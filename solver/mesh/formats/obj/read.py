@@ -9,7 +9,7 @@ import numpy as np
 
 from solver.errors import MeshError
 from solver.mesh.formats.blocks import blocks
-from solver.mesh.formats.format import FileContent
+from solver.mesh.formats.format import FileContent, Groups
 from solver.mesh.formats.obj.block import BlockReader, Flaw, Rows
 from solver.mesh.formats.text import check_text, line_error
 from solver.mesh.polygons import Polygons
@@ -60,7 +60,9 @@ def read_obj(data: bytes, name: str) -> FileContent:
     corner_normals = _resolve(rows.normal_numbers, rows.sizes, face_at, normal_at)
     source = ObjSource(data, vertex_at, normal_at, rows.normals, corner_normals)
     extras = {words: len(rows.at[keyword]) for words, keyword in _EXTRAS.items()}
-    return FileContent(rows.points, Polygons(rows.sizes, corners), extras, source)
+    named = rows.at[b"o"] if rows.at[b"o"].size else rows.at[b"g"]
+    groups = _groups(text.data, named, face_at) if named.size else None
+    return FileContent(rows.points, Polygons(rows.sizes, corners), extras, source, groups)
 
 
 class _LogicalLines:
@@ -82,6 +84,17 @@ class _LogicalLines:
         line = self._original[start:stop].removeprefix(_BYTE_ORDER_MARK)
         number = 1 + len(self._original[:start].splitlines())
         return line_error(self._name, number, line, flaw.message)
+
+
+def _groups(data: bytes, at: IntArray, face_at: IntArray) -> Groups:
+    """The faces by the object or group that the last of the lines `at` before them names."""
+    stops = ((data.find(b"\n", start) + 1 or len(data)) for start in at.tolist())
+    lines = (data[start:stop] for start, stop in zip(at.tolist(), stops, strict=True))
+    names = [b" ".join(line.partition(b"#")[0].split()[1:]).decode("utf-8", "replace") for line in lines]
+    number = {name: k for k, name in enumerate(dict.fromkeys(names))}
+    # The last entry is for faces before the first line.
+    numbers = np.array([*(number[name] for name in names), -1])
+    return Groups(tuple(number), numbers[np.searchsorted(at, face_at) - 1])
 
 
 def _resolve(numbers: IntArray, sizes: IntArray, face_at: IntArray, at: IntArray) -> IntArray:

@@ -1,0 +1,50 @@
+"""Writing glTF: a deformed copy of the file that was read, or a plain one."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from solver.mesh.formats.format import DeformedSurface
+from solver.mesh.formats.gltf.read import GltfSource
+from solver.mesh.formats.gltf.saving.deform import DeformedPart, deform
+from solver.mesh.formats.gltf.saving.edit import Edit
+from solver.mesh.formats.gltf.saving.pack import take_in_images, to_glb, to_gltf
+from solver.mesh.formats.gltf.saving.plain import plain_source
+from solver.mesh.formats.gltf.saving.targets import add_poses
+
+
+def write_glb(surface: DeformedSurface) -> bytes:
+    """The file that was read, or a plain one, as a GLB; see `write_gltf`."""
+    return _write(surface, binary=True)
+
+
+def write_gltf(surface: DeformedSurface) -> bytes:
+    """The file that was read with new positions, normals, tangents and morph targets for poses.
+
+    Everything else in it stays. Data that something else shares, or that is not float32, is left
+    alone: what was deformed gets float32 data of its own. A file saved beside its source in the
+    same container goes on naming the files there; any other takes images and buffers in.
+    A surface that comes from elsewhere becomes one mesh of triangles with smooth normals.
+    """
+    return _write(surface, binary=False)
+
+
+def _write(surface: DeformedSurface, binary: bool) -> bytes:
+    source = surface.source
+    if not isinstance(source, GltfSource):
+        source = plain_source(surface)
+        surface = replace(surface, rest=surface.positions)
+    gltf, X = source.gltf, surface.positions
+    edit = Edit(gltf)
+    shapes = [DeformedPart(gltf, part, surface) for part in source.parts]
+    for shape in shapes:
+        deform(edit, shape, surface.rest, X)
+    add_poses(edit, shapes, X, surface.poses)
+    beside = binary == gltf.is_binary and Path(surface.path).resolve().parent == gltf.folder
+    if not beside:
+        take_in_images(edit)
+    if beside and not edit.changed and gltf.data:
+        return gltf.data
+    finished = edit.finished()
+    return to_glb(finished, beside) if binary else to_gltf(finished, beside)
