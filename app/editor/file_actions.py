@@ -64,9 +64,13 @@ def default_session_path(work: Workspace) -> Path:
 
 
 def default_export_path(work: Workspace) -> Path:
-    """The one the program was started with, else one beside the mesh."""
+    """The one the program was started with, else one beside the mesh.
+
+    In the format of the mesh where that keeps what else its file holds.
+    """
     mesh = work.document.path
-    return work.export_path or writable(mesh.with_name(f"{mesh.stem}-deformed.obj"))
+    suffix = ".obj" if work.document.mesh.source is None else mesh.suffix
+    return work.export_path or writable(mesh.with_name(f"{mesh.stem}-deformed{suffix}"))
 
 
 def _announce(work: Workspace, path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 
 import numpy as np
@@ -59,5 +60,21 @@ class Parts:
 
 def _parts(mesh: Mesh) -> tuple[Part, ...]:
     counts = np.bincount(mesh.pieces[mesh.pieces >= 0])
-    names = [f"piece {number + 1}" for number in range(len(counts))]
+    names = _names(mesh, len(counts))
     return tuple(Part(*row) for row in zip(range(len(counts)), names, counts.tolist(), strict=True))
+
+
+def _names(mesh: Mesh, count: int) -> list[str]:
+    """The object or group of the file that each piece is in, with its number where not alone."""
+    names = [""] * count
+    if mesh.groups is not None:
+        piece = mesh.pieces[mesh.outlines.corners[mesh.outlines.starts]]
+        _, first = np.unique(piece, return_index=True)
+        # Polygons of no group have -1, the place of the last entry.
+        known = [*mesh.groups.names, ""]
+        names = [known[group] for group in mesh.groups.of_polygon[first].tolist()]
+    shared = Counter(names)
+    return [
+        name if name and shared[name] == 1 else f"{name or 'piece'} {number + 1}"
+        for number, name in enumerate(names)
+    ]

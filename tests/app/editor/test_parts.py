@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from app.editor import commands as c
-from solver import Mesh
+from app.workspace.parts import Parts
+from solver import Mesh, load_mesh
 from solver.types import IntArray
 from tests.app.person import Person, sheet, slab, state
 
@@ -37,6 +39,15 @@ def test_parts_are_listed_with_their_vertices(person: Person) -> None:
     counts = [part.count for part in person.editor.parts.all]
     assert counts == [len(own(person, number)) for number in range(3)]
     assert len({part.name for part in person.editor.parts.all}) == 3
+
+
+def test_parts_have_the_names_that_their_file_gives_them(tmp_path: Path) -> None:
+    corners = ("0 0 0", "1 0 0", "0 1 0", "0 0 5", "1 0 5", "0 1 5", "0 0 9", "1 0 9", "0 1 9")
+    lines = [f"v {corner}\n" for corner in (*corners, "7 7 7", "8 7 7", "7 8 7")]
+    lines += ["f 1 2 3\n", "g left eye # comment\n", "f 4 5 6\n", "g hair\n", "f 7 8 9\n"]
+    (tmp_path / "a.obj").write_text("".join([*lines, "f 10 11 12\n"]))
+    parts = Parts(load_mesh(tmp_path / "a.obj"))
+    assert [part.name for part in parts.all] == ["piece 1", "left eye", "hair 3", "hair 4"]
 
 
 def test_a_part_follows_until_it_is_told_to_stay(person: Person) -> None:

@@ -90,7 +90,8 @@ def _groups(data: bytes, at: IntArray, face_at: IntArray) -> Groups:
     """The faces by the object or group that the last of the lines `at` before them names."""
     stops = ((data.find(b"\n", start) + 1 or len(data)) for start in at.tolist())
     lines = (data[start:stop] for start, stop in zip(at.tolist(), stops, strict=True))
-    names = [b" ".join(line.partition(b"#")[0].split()[1:]).decode("utf-8", "replace") for line in lines]
+    words = (b" ".join(line.partition(b"#")[0].split()[1:]) for line in lines)
+    names = [word.decode("utf-8", "replace") for word in words]
     number = {name: k for k, name in enumerate(dict.fromkeys(names))}
     # The last entry is for faces before the first line.
     numbers = np.array([*(number[name] for name in names), -1])
