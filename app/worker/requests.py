@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from solver import Setup
 from solver.errors import SolverError
 from solver.linear.drag_model import DragModel
@@ -12,6 +14,16 @@ from solver.types import FloatArray, IntArray
 
 class WorkerError(SolverError):
     """The solver's process did not do what it was asked."""
+
+
+class PoseError(SolverError):
+    """The solver returned positions that cannot be shown."""
+
+
+def check_positions(positions: FloatArray) -> None:
+    """Raises PoseError unless all are finite."""
+    if not np.isfinite(positions).all():
+        raise PoseError("the solver returned positions that are not finite; pose not shown")
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,6 +67,10 @@ class RefineRequest:
     transforms: FloatArray
     rigid: int
     vertex_count: int
+
+    def asks(self, transforms: FloatArray, rigid: int) -> bool:
+        """Whether it is for this pose."""
+        return self.rigid == rigid and np.array_equal(self.transforms, transforms)
 
     @property
     def answer_size(self) -> int:

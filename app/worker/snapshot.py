@@ -4,6 +4,21 @@ from __future__ import annotations
 
 from app.model.document import Document
 from app.worker.requests import BindRequest
+from solver import Setup
+
+
+def preparation(document: Document) -> BindRequest:
+    """A bind that holds nothing: it finds what belongs to the mesh alone, for those to come."""
+    return BindRequest(
+        version=0,
+        mesh=document.serial,
+        keys=(),
+        vertices=document.mesh.vertices,
+        faces=document.mesh.faces,
+        setup=Setup(),
+        rigid=0,
+        transforms=document.pose.stacked(()),
+    )
 
 
 def bind_request(document: Document) -> BindRequest:

@@ -9,8 +9,18 @@ import numpy as np
 
 from app.model.document import Document, clock
 from app.worker.client import Worker
-from app.worker.requests import Bound, Failure, Refined, RefineRequest, Restarted, Result
-from app.worker.snapshot import bind_request
+from app.worker.requests import (
+    BindRequest,
+    Bound,
+    Failure,
+    PoseError,
+    Refined,
+    RefineRequest,
+    Restarted,
+    Result,
+    check_positions,
+)
+from app.worker.snapshot import bind_request, preparation
 from app.workspace.pace import Pace
 from solver.errors import SolverError
 from solver.mesh.mesh import Mesh
@@ -19,10 +29,6 @@ from solver.types import FloatArray
 
 class BindError(SolverError):
     """What the document asks for could not be bound."""
-
-
-class PoseError(SolverError):
-    """The solver returned positions that cannot be shown."""
 
 
 class LiveSurface:
@@ -45,6 +51,7 @@ class LiveSurface:
         self._say = say
         self._pace = Pace()
         self._requested = 0  # the document's bind_version last taken care of
+        self._preparation: BindRequest | None = None  # once a mesh
         self.positions = mesh.vertices
         self.version = next(clock)
         self.bind_error = ""
@@ -79,7 +86,7 @@ class LiveSurface:
         if self.bind_error:
             raise BindError(self.bind_error)
         asked = self._asked
-        if self._refused and asked and _answers(asked, self._transforms(document), document.rigid):
+        if self._refused and asked and asked.asks(self._transforms(document), document.rigid):
             raise self._refused
 
     def orient(
@@ -118,6 +125,9 @@ class LiveSurface:
         else:
             self.worker.drop()
             self._attach(None)
+            if self._preparation is None:
+                self._preparation = preparation(document)
+                self.worker.request(self._preparation)
 
     def _take_results(self) -> None:
         """All of them, even if one is an error that has to be raised."""
@@ -131,6 +141,8 @@ class LiveSurface:
             raise refusal
 
     def _take(self, result: Result) -> None:
+        if isinstance(result, Bound | Failure) and result.request is self._preparation:
+            return
         if isinstance(result, Bound):
             self._attach(result)
             if result.pose is not None:
@@ -157,7 +169,7 @@ class LiveSurface:
             return
         self._pace.learn(refined.request.rigid, refined.seconds)
         try:
-            _check(refined.positions)
+            check_positions(refined.positions)
         except PoseError as error:
             self._refuse(refined.request, error)
             raise
@@ -182,7 +194,7 @@ class LiveSurface:
         if self.bound is None or linear or _at_rest(transforms):
             return None
         known = [self._asked, self._refined.request if self._refined else None]
-        if any(one and _answers(one, transforms, document.rigid) for one in known):
+        if any(one and one.asks(transforms, document.rigid) for one in known):
             return None
         request = self.bound.request
         self._asked = RefineRequest(
@@ -208,7 +220,7 @@ class LiveSurface:
         if not pace.linear:
             self.pose_seconds += pace.cost(document.rigid)
         if positions is not self.positions:
-            _check(positions)
+            check_positions(positions)
             self.positions = positions
             self.version = next(clock)
 
@@ -217,7 +229,7 @@ class LiveSurface:
         refined = self._refined if self._refined and self._refined.request.rigid == level else None
         if self.bound is None or _at_rest(transforms):
             return self._rest
-        if refined is not None and _answers(refined.request, transforms, level):
+        if refined is not None and refined.request.asks(transforms, level):
             return refined.positions
         if level == 0 or self._pace.linear:
             return self.bound.model.pose(transforms)
@@ -235,12 +247,3 @@ class LiveSurface:
 
 def _at_rest(transforms: FloatArray) -> bool:
     return bool((transforms == np.eye(4)).all())
-
-
-def _answers(request: RefineRequest, transforms: FloatArray, level: int) -> bool:
-    return request.rigid == level and np.array_equal(request.transforms, transforms)
-
-
-def _check(positions: FloatArray) -> None:
-    if not np.isfinite(positions).all():
-        raise PoseError("the solver returned positions that are not finite; pose not shown")

@@ -12,7 +12,9 @@ from app.worker.requests import (
     Refined,
 )
 from app.worker.service import bind
-from app.worker.snapshot import bind_request
+from app.worker.snapshot import bind_request, preparation
+from solver.linear import rest_surface
+from solver.linear.drag_model import DragModel
 from tests.app.worker.work import (
     POSIX,
     TARGET,
@@ -214,3 +216,15 @@ def test_waiting_ends_in_time(solver_process: ProcessWorker) -> None:
     solver_process.request(bind_request(document()))
     assert not solver_process.wait(0.0)
     assert solver_process.wait(WAIT)
+
+
+def test_what_belongs_to_the_mesh_alone_is_found_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In the background when a mesh opens, and not again by the binds to come."""
+    found = []
+    find = rest_surface.find_attachments
+    monkeypatch.setattr(rest_surface, "find_attachments", lambda *a: found.append(None) or find(*a))
+    made, service = document(), SolverService()
+    assert isinstance(service.answer(preparation(made)).value, DragModel)
+    assert len(found) == 1
+    assert isinstance(service.answer(bind_request(made)).value, DragModel)
+    assert len(found) == 1
