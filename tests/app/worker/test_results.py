@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -11,10 +13,11 @@ from app.worker.requests import (
     Bound,
     Refined,
 )
-from app.worker.service import bind
+from app.worker.service import SolverService, bind
 from app.worker.snapshot import bind_request, preparation
 from solver.linear import rest_surface
 from solver.linear.drag_model import DragModel
+from solver.surface.attachments import Attachments
 from tests.app.worker.work import (
     POSIX,
     TARGET,
@@ -222,7 +225,12 @@ def test_what_belongs_to_the_mesh_alone_is_found_once(monkeypatch: pytest.Monkey
     """In the background when a mesh opens, and not again by the binds to come."""
     found = []
     find = rest_surface.find_attachments
-    monkeypatch.setattr(rest_surface, "find_attachments", lambda *a: found.append(None) or find(*a))
+
+    def counted(*arguments: Any) -> Attachments:
+        found.append(1)
+        return find(*arguments)
+
+    monkeypatch.setattr(rest_surface, "find_attachments", counted)
     made, service = document(), SolverService()
     assert isinstance(service.answer(preparation(made)).value, DragModel)
     assert len(found) == 1
