@@ -15,8 +15,8 @@ from app.worker.requests import (
 )
 from app.worker.service import SolverService, bind
 from app.worker.snapshot import bind_request, preparation
-from solver.linear import rest_surface
 from solver.linear.drag_model import DragModel
+from solver.surface import contacts
 from solver.surface.attachments import Attachments
 from tests.app.worker.work import (
     POSIX,
@@ -224,13 +224,13 @@ def test_waiting_ends_in_time(solver_process: ProcessWorker) -> None:
 def test_what_belongs_to_the_mesh_alone_is_found_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """In the background when a mesh opens, and not again by the binds to come."""
     found = []
-    find = rest_surface.find_attachments
+    find = contacts.find_attachments
 
     def counted(*arguments: Any) -> Attachments:
         found.append(1)
         return find(*arguments)
 
-    monkeypatch.setattr(rest_surface, "find_attachments", counted)
+    monkeypatch.setattr("solver.linear.rest_surface.find_attachments", counted)
     made, service = document(), SolverService()
     assert isinstance(service.answer(preparation(made)).value, DragModel)
     assert len(found) == 1
