@@ -19,12 +19,14 @@ from app.worker.service import bind
 from app.worker.snapshot import bind_request
 from tests.app.person import Person, slab, transforms
 from tests.app.worker.work import (
+    POSIX,
     WAIT,
     document,
     expected,
     kill,
     refinement,
     results,
+    stop,
 )
 
 
@@ -63,6 +65,7 @@ def test_a_process_that_dies_idle_is_replaced_and_it_says_so(
     assert isinstance(results(solver_process)[-1], Refined)
 
 
+@POSIX
 def test_a_request_that_ends_every_process_is_an_error_in_the_end(
     solver_process: ProcessWorker,
 ) -> None:
@@ -70,6 +73,7 @@ def test_a_request_that_ends_every_process_is_an_error_in_the_end(
     solver_process.request(request)
     results(solver_process)
     wish = refinement(request)
+    stop(solver_process)  # or it may answer before it is killed
     solver_process.request(wish)
     arrived: list[Result] = []
     while solver_process.busy:

@@ -62,12 +62,18 @@ def kill(of: ProcessWorker) -> None:
     os.kill(of.pid, signal.SIGKILL if hasattr(signal, "SIGKILL") else signal.SIGTERM)
 
 
+def stop(of: ProcessWorker) -> None:
+    """The process gets nowhere until it is told to go on, or killed."""
+    assert of.pid is not None
+    os.kill(of.pid, signal.SIGSTOP)
+
+
 @contextmanager
 def frozen(of: ProcessWorker) -> Iterator[None]:
     """The process gets nowhere meanwhile."""
-    assert of.pid is not None
-    os.kill(of.pid, signal.SIGSTOP)
+    stop(of)
     yield
+    assert of.pid is not None
     os.kill(of.pid, signal.SIGCONT)
 
 
