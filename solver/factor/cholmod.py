@@ -1,4 +1,7 @@
-"""CHOLMOD, through cvxopt: an optional dependency. [Chen, Davis, Hager & Rajamanickam 2008]"""
+"""CHOLMOD, through cvxopt or its fork kvxopt: an optional dependency.
+
+[Chen, Davis, Hager & Rajamanickam 2008]
+"""
 
 from __future__ import annotations
 
@@ -14,10 +17,13 @@ from solver.types import FloatArray, IntArray
 
 try:
     import cvxopt
-    import cvxopt.amd as amd
-    import cvxopt.cholmod as cholmod
+    from cvxopt import amd, cholmod
 except ImportError:  # its licence or platform may not suit everybody
-    cholmod = None
+    try:  # the fork has wheels for systems where cvxopt has none
+        import kvxopt as cvxopt
+        from kvxopt import amd, cholmod
+    except ImportError:
+        cholmod = None
 
 
 class _Cholmod:
@@ -63,7 +69,7 @@ class _Cholmod:
         self._owner = None
         self._matrix.V = cvxopt.matrix(factor.values)
         try:
-            cholmod.numeric(self._matrix, self.shared)
+            _numeric(self._matrix, self.shared)
         except ArithmeticError as failure:
             raise FactorizationError(
                 f"the {self._size} x {self._size} system is not positive definite "
@@ -98,6 +104,15 @@ def _symbolic(matrix: Any, order: IntArray | None) -> Any:
     finally:
         cholmod.options.clear()
         cholmod.options.update(before)
+
+
+def _numeric(matrix: Any, factor: Any) -> None:
+    """Raises ArithmeticError, with the column that fails, where there is no Cholesky factor."""
+    cholmod.numeric(matrix, factor)
+    try:
+        cholmod.diag(factor)
+    except ValueError as failure:  # kvxopt's numeric is silent about it
+        raise ArithmeticError("unknown") from failure
 
 
 def _spmatrix(values: FloatArray, rows: IntArray, columns: IntArray, size: int) -> Any:

@@ -5,14 +5,13 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 
-from solver.factor import cholmod, superlu
+from solver.factor import cholmod, rslab, superlu
 from solver.factor.backend import Analysis, Backend, Factor
 from solver.types import FloatArray, IntArray
 
-# CHOLMOD is several times as fast; SuperLU comes with SciPy.
-BACKENDS: tuple[Backend, ...] = (
-    *([cholmod.BACKEND] if cholmod.BACKEND else []),
-    superlu.BACKEND,
+# CHOLMOD keeps one order a mesh, RSLAB finds one a bind; SuperLU is slow, but comes with SciPy.
+BACKENDS: tuple[Backend, ...] = tuple(
+    backend for backend in (cholmod.BACKEND, rslab.BACKEND, superlu.BACKEND) if backend
 )
 
 
