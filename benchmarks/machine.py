@@ -12,7 +12,9 @@ from typing import Any
 import numpy as np
 import scipy
 
-PACKAGES = "numpy", "scipy", "libigl", "cvxopt"
+from solver.factor import BACKENDS
+
+PACKAGES = "numpy", "scipy", "libigl", "cvxopt", "rslab"
 
 
 def peak_memory() -> float | None:
@@ -66,9 +68,10 @@ def _version(package: str) -> str:
 
 
 def _backend() -> str:
-    if _version("cvxopt") == "missing":
-        return "SciPy's SuperLU"
-    return f"CHOLMOD and OpenBLAS as they come with cvxopt {_version('cvxopt')}"
+    for package in ("cvxopt", "kvxopt"):
+        if _version(package) != "missing":
+            return f"CHOLMOD and OpenBLAS as they come with {package} {_version(package)}"
+    return BACKENDS[0].name
 
 
 def _blas(module: Any) -> str:

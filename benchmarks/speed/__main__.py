@@ -7,7 +7,6 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from importlib.util import find_spec
 from multiprocessing import get_context
 from pathlib import Path
 from typing import TypeVar
@@ -16,7 +15,9 @@ from unittest.mock import patch
 from app.worker.process import ONE_THREAD
 from benchmarks import machine
 from benchmarks.cases.mannequin import Mannequin
-from benchmarks.speed import plot, report, steps
+from benchmarks.speed import backends, plot, report, steps
+from solver.factor import BACKENDS
+from solver.factor.superlu import BACKEND as SUPERLU
 
 SMALLEST = 1000  # the mannequin has no hand below
 SIZES = 10_000, 25_000, 60_000, 120_000
@@ -43,8 +44,9 @@ def run(sizes: Sequence[int], output: Path) -> str:
         print(f"{size} vertices ...", file=sys.stderr, flush=True)
         mannequin = apart(Mannequin.make, size)
         results.append(apart(steps.measure, mannequin))
-        if size <= SPLU_LIMIT and find_spec("cvxopt") is not None:
-            comparisons.append(apart(steps.compare, mannequin))
+        libraries = [b for b in BACKENDS if b is not SUPERLU or size <= SPLU_LIMIT]
+        if len(libraries) > 1:
+            comparisons.append(apart(backends.compare, mannequin, libraries))
     picture = output.with_name(f"{output.stem.lower()}.svg")
     drawn = picture.name if plot.draw(results, picture) else None
     text = report.markdown(results, comparisons, about, drawn)

@@ -3,10 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import Protocol, TypeVar
 
 from benchmarks.speed import goals
-from benchmarks.speed.steps import PAPER_LIMIT, Comparison, Result
+from benchmarks.speed.backends import Comparison
+from benchmarks.speed.steps import PAPER_LIMIT, Result
 from benchmarks.tables import table
+
+
+class Sized(Protocol):
+    """What was measured on one mesh."""
+
+    @property
+    def vertices(self) -> int: ...
+
+
+Measured = TypeVar("Measured", bound=Sized)
 
 
 def markdown(
@@ -37,14 +49,14 @@ def markdown(
         _by_size(results, lambda result: result.parts, _milliseconds),
         "## Peak memory, MB",
         _by_size(results, lambda result: result.memory, lambda size: f"{size / 1e6:.0f}"),
-        *(["## CHOLMOD and SciPy's splu", _backends(comparisons)] if comparisons else []),
+        *(_libraries(comparisons) if comparisons else []),
     ]
     return "\n\n".join(sections) + "\n"
 
 
 def _by_size(
-    results: Sequence[Result],
-    values: Callable[[Result], dict[str, float]],
+    results: Sequence[Measured],
+    values: Callable[[Measured], dict[str, float]],
     show: Callable[[float], str],
 ) -> str:
     """A row for each name that any size has, a column for each size."""
@@ -59,18 +71,13 @@ def _by_size(
     return table(head, rows)
 
 
-def _backends(comparisons: Sequence[Comparison]) -> str:
-    head = ["vertices", "bind, CHOLMOD, ms", "bind, splu, ms", "largest difference, diagonals"]
-    rows = [
-        [
-            f"{c.vertices:,}",
-            _milliseconds(c.cholmod),
-            _milliseconds(c.splu),
-            f"{c.difference:.1e}",
-        ]
-        for c in comparisons
+def _libraries(comparisons: Sequence[Comparison]) -> list[str]:
+    return [
+        "## Libraries that factorise, ms",
+        _by_size(comparisons, lambda comparison: comparison.times, _milliseconds),
+        "The largest difference from the surface of the first, in diagonals:",
+        _by_size(comparisons, lambda comparison: comparison.difference, lambda d: f"{d:.1e}"),
     ]
-    return table(head, rows)
 
 
 def _milliseconds(seconds: float) -> str:

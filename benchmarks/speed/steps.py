@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import cycle
-from unittest.mock import patch
 
 import numpy as np
 
 from benchmarks.cases.mannequin import Mannequin, drag_of, dragged
 from benchmarks.machine import peak_memory
 from benchmarks.speed import parts, peers
-from benchmarks.timing import Task, medians, seconds
+from benchmarks.timing import Task, medians
 from solver import Deformer
-from solver.factor import superlu, table
-from solver.geometry.bounding_box import diagonal
 from solver.types import FloatArray
 
 BIND = "bind from scratch"
@@ -139,27 +136,3 @@ def _peers(deformer: Deformer, mannequin: Mannequin) -> dict[str, Task]:
     held, goal = dragged(V, mannequin.fixed, mannequin.hand)
     tasks = peers.Arap(V, F, held, goal).tasks() | peers.harmonic(V, F, held, goal)
     return tasks | (peers.paper(deformer) if len(V) <= PAPER_LIMIT else {})
-
-
-@dataclass(frozen=True)
-class Comparison:
-    """CHOLMOD against SciPy's splu: seconds of a bind, and how far their surfaces are apart.
-
-    difference: the largest, in bounding-box diagonals.
-    """
-
-    vertices: int
-    cholmod: float
-    splu: float
-    difference: float
-
-
-def compare(mannequin: Mannequin) -> Comparison:
-    """Both back ends on one mesh; CHOLMOD has to be there."""
-    session = Session(mannequin)
-    X = session.deformer.pose([session.T])
-    fast = seconds(lambda: bind(mannequin), 2)
-    with patch.object(table, "BACKENDS", (superlu.BACKEND,)):
-        slow = seconds(lambda: bind(mannequin), 2)
-        apart = np.abs(X - bind(mannequin).pose([session.T])).max()
-    return Comparison(len(mannequin.V), fast, slow, float(apart / diagonal(mannequin.V)))

@@ -1,4 +1,4 @@
-"""SuperLU, through SciPy: always there. [Li 2005]"""
+"""SuperLU, through SciPy: always there, but only singular matrices are refused. [Li 2005]"""
 
 from __future__ import annotations
 

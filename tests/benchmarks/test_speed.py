@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 from benchmarks.cases.mannequin import Mannequin
-from benchmarks.speed import goals, parts, steps
+from benchmarks.speed import backends, goals, parts, steps
 from benchmarks.speed.__main__ import main
+from solver.factor import BACKENDS
 
 
 def test_every_step_has_a_row_and_every_size_a_column(
@@ -60,8 +61,9 @@ def test_the_parts_of_a_bind_are_all_found_and_none_is_counted_twice() -> None:
     assert set(found) == expected
 
 
-def test_both_back_ends_give_the_same_surface() -> None:
-    pytest.importorskip("cvxopt")
-    comparison = steps.compare(Mannequin.make(1000))
-    assert comparison.difference < 1e-8
-    assert np.isfinite(comparison.splu)
+def test_all_back_ends_give_the_same_surface() -> None:
+    comparison = backends.compare(Mannequin.make(1000), BACKENDS)
+    assert list(comparison.difference) == [backend.name for backend in BACKENDS[1:]]
+    assert all(difference < 1e-8 for difference in comparison.difference.values())
+    assert len(comparison.times) == len(BACKENDS) * len(backends.STEPS)
+    assert np.isfinite(list(comparison.times.values())).all()
