@@ -18,7 +18,7 @@ from solver.linear.grab import Grab, Moments, make_grab
 from solver.linear.response import Response, with_grabs
 from solver.linear.rest_surface import RestSurface
 from solver.rigid.half_way import half_way, squared
-from solver.rigid.levels import RigidLevels
+from solver.rigid.levels import RigidLevels, RigidPose
 from solver.setup import FIXED, Setup
 from solver.surface.embedding import Embedding
 from solver.types import FloatArray
@@ -47,23 +47,30 @@ class BoundSurface:
         """Bound to another setup, sharing what is the same; grabs keep their weights."""
         binding = bind(self.rest, self.embedding.setup(setup), self.binding)
         bound = BoundSurface(self.embedding, setup, binding)
-        for grab in self.grabs:
-            bound = bound.with_grab(grab.weights)
+        for weights in self.grab_weights:
+            bound = bound.with_grab(weights)
         return bound
 
     def grabbed(self, weights: ArrayLike) -> BoundSurface:
         """With one more soft handle, from weights (n',) on the shown mesh."""
         return self.with_grab(self.embedding.weights(weights))
 
-    def with_grab(self, weights: ArrayLike) -> BoundSurface:
-        """With one more soft handle, from weights (n,) on the solved surface."""
+    def with_grab(self, weights: ArrayLike, hanging: FloatArray | None = None) -> BoundSurface:
+        """With one more soft handle, from weights (n,) on the solved surface.
+
+        hanging: see `make_grab`.
+        """
         binding = self.binding
-        grab = make_grab(
-            binding.rest, binding.constraints, binding.system, weights, binding.bending_length
-        )
+        parts = binding.rest, binding.constraints, binding.system
+        grab = make_grab(*parts, weights, binding.bending_length, hanging)
         if any(np.intersect1d(grab.carried, other.carried).size for other in self.grabs):
             raise ConstraintError("a component that nothing else holds takes one grab, got two")
         return replace(self, grabs=(*self.grabs, grab))
+
+    @property
+    def grab_weights(self) -> tuple[FloatArray, ...]:
+        """(n,) of each soft handle on the solved surface."""
+        return tuple(grab.weights for grab in self.grabs)
 
     @property
     def rest(self) -> RestSurface:
@@ -116,15 +123,19 @@ class BoundSurface:
         """The shown mesh (n', 3) for one transform (4, 4) a handle. Raises ConstraintError."""
         if level == 0:
             return self.drag_model.pose(transforms)
-        displacement = self.response.basis @ self.drag_model.steps(transforms)
-        return self._refined(displacement, transforms, level)
+        pose = self.refined(self.displacement(transforms), transforms, level)
+        return self._rigid(pose)
 
     def solved(self, targets: ArrayLike, level: int) -> FloatArray:
         """The shown mesh (n', 3) for targets of the handles' vertices. Raises ConstraintError."""
-        displacement, motions = self._respond(targets)
+        displacement, motions = self.respond(targets)
         if level == 0:
             return self._shown(self.embedding.apply(displacement))
-        return self._refined(displacement, motions, level)
+        return self._rigid(self.refined(displacement, motions, level))
+
+    def displacement(self, transforms: Transforms) -> FloatArray:
+        """(n + 3m, 3) the linear change of U. Raises ConstraintError."""
+        return self.response.basis @ self.drag_model.steps(transforms)
 
     def frames(self, transforms: Transforms) -> FloatArray:
         """G, (m, 3, 3): the linear frames of the solved surface's triangles."""
@@ -133,7 +144,7 @@ class BoundSurface:
         rows = self.rest.affine_rows[n:, :3] + self.response.basis[n:] @ steps
         return rows.reshape(-1, 3, 3).transpose(0, 2, 1)
 
-    def _respond(self, targets: ArrayLike) -> tuple[FloatArray, list[FloatArray]]:
+    def respond(self, targets: ArrayLike) -> tuple[FloatArray, list[FloatArray]]:
         """Displacement for any targets, and the rigid motion that best fits each handle's."""
         rest, constraints, system = self.rest, self.binding.constraints, self.binding.system
         shown = self.setup.handles
@@ -158,14 +169,15 @@ class BoundSurface:
         U[system.free] = self.moments.meet(U[system.free], none)
         return U, motions
 
-    def _refined(
+    def refined(
         self, displacement: FloatArray, transforms: Sequence[ArrayLike], level: int
-    ) -> FloatArray:
-        """The shown mesh at a rigid level of 1 or more, from the linear displacement."""
-        rest = self.rest
+    ) -> RigidPose:
+        """The solved surface at a rigid level of 1 or more, from the linear displacement."""
         others = self._other_rotations(transforms) if level > 1 else ()
-        pose = self._levels.refine(rest.affine_rows[:, :3] + displacement, level, others)
-        moved = self.embedding.apply_rigid(pose.positions - rest.points, pose.rotations)
+        return self._levels.refine(self.rest.affine_rows[:, :3] + displacement, level, others)
+
+    def _rigid(self, pose: RigidPose) -> FloatArray:
+        moved = self.embedding.apply_rigid(pose.positions - self.rest.points, pose.rotations)
         return self._shown(moved)
 
     def _other_rotations(self, transforms: Sequence[ArrayLike]) -> list[FloatArray]:

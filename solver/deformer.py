@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.bound_surface import BoundSurface
+from solver.coarse_surface import CoarseSurface, bind_surface, rebind_surface
 from solver.errors import ConstraintError
 from solver.linear.drag_model import DragModel, Transforms
 from solver.linear.system import System
@@ -37,6 +38,8 @@ class Deformer:
     edge_gains: (edges (k, 2), bending (k,), stretching (k,)) in place of softness and material.
     attach: which pieces follow the larger ones that they touch or are near: True for all, False
         for none, or their numbers (see Mesh.pieces).
+    coarse: None for the exact solution, or a number: frames are solved on a simplified surface of
+        at most so many vertices, positions on the mesh itself. For meshes of more than 20000.
 
     Seams are welded for the solve. What nothing holds, by itself or through what it is attached
     to, stays at rest.
@@ -67,11 +70,12 @@ class Deformer:
         orientation: bool = True,
         edge_gains: tuple[ArrayLike, ArrayLike, ArrayLike] | None = None,
         attach: bool | ArrayLike = True,
+        coarse: int | None = None,
     ) -> None:
-        setup = Setup(
-            fixed, handles, softness, material, bending_length, orientation, edge_gains, attach
+        how = softness, material, bending_length, orientation, edge_gains, attach, coarse
+        self._bound: BoundSurface | CoarseSurface = bind_surface(
+            embed(V, F), Setup(fixed, handles, *how)
         )
-        self._bound = BoundSurface.of(embed(V, F), setup)
 
     @classmethod
     def of(cls, V: ArrayLike, F: ArrayLike, setup: Setup) -> Deformer:
@@ -81,7 +85,7 @@ class Deformer:
         >>> np.array_equal(solver.Deformer.of(V, F, setup).pose([T]), X)
         True
         """
-        return _deformer(BoundSurface.of(embed(V, F), setup))
+        return _deformer(bind_surface(embed(V, F), setup))
 
     @property
     def setup(self) -> Setup:
@@ -168,7 +172,7 @@ class Deformer:
         >>> np.array_equal(deformer.rebound(deformer.setup).pose([T]), X)
         True
         """
-        return _deformer(self._bound.rebound(setup))
+        return _deformer(rebind_surface(self._bound, setup))
 
     def grab(self, weights: ArrayLike) -> Deformer:
         """A new Deformer with one more, soft, handle: the region where `weights` (n,) > 0.
@@ -195,7 +199,7 @@ class Deformer:
         return self._bound.binding.system
 
 
-def _deformer(bound: BoundSurface) -> Deformer:
+def _deformer(bound: BoundSurface | CoarseSurface) -> Deformer:
     """A Deformer of what is bound already."""
     deformer = object.__new__(Deformer)
     deformer._bound = bound

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.arrays import as_floats, as_indices, as_integers, locked
-from solver.errors import ConstraintError, MaterialError
+from solver.errors import ConstraintError, MaterialError, MeshError
 from solver.softness.material import EdgeGains, Material, as_edge_gains, resolve_material
 from solver.types import BoolArray, FloatArray, IntArray
 
@@ -26,8 +26,8 @@ class Setup:
     it fits a mesh is found out when it is bound.
 
     fixed: (k,).  handles: one (k,) array each.  softness: (n,) or None.  attach: True, False, or
-    the numbers of the pieces that follow.
-    Raises ConstraintError (fixed, handles) or MaterialError (the rest).
+    the numbers of the pieces that follow.  coarse: None, or how many vertices frames are for.
+    Raises ConstraintError (fixed, handles), MeshError (coarse) or MaterialError (the rest).
 
     >>> import solver
     >>> setup = solver.Setup(fixed=[0], handles=[[1, 2]])
@@ -45,6 +45,7 @@ class Setup:
     orientation: bool
     edge_gains: EdgeGains | None
     attach: bool | tuple[int, ...]
+    coarse: int | None
 
     def __init__(
         self,
@@ -56,6 +57,7 @@ class Setup:
         orientation: bool = True,
         edge_gains: tuple[ArrayLike, ArrayLike, ArrayLike] | None = None,
         attach: bool | ArrayLike = True,
+        coarse: int | None = None,
     ) -> None:
         if softness is not None and edge_gains is not None:
             raise MaterialError("give softness or edge_gains, got both")
@@ -71,6 +73,7 @@ class Setup:
             "orientation": bool(orientation),
             "edge_gains": None if edge_gains is None else as_edge_gains(edge_gains),
             "attach": attach if isinstance(attach, bool) else _as_pieces(attach),
+            "coarse": None if coarse is None else _as_count(coarse),
         }
         for name, value in values.items():
             object.__setattr__(self, name, value)
@@ -145,6 +148,13 @@ def _as_length(length: float) -> float:
 
 def _as_pieces(attach: ArrayLike) -> tuple[int, ...]:
     return tuple(np.unique(as_integers(attach, "attach")).tolist())
+
+
+def _as_count(coarse: int) -> int:
+    whole = isinstance(coarse, int | np.integer) and not isinstance(coarse, bool)
+    if not (whole and coarse > 0):
+        raise MeshError(f"coarse must be None or a positive integer, got {coarse!r}")
+    return int(coarse)
 
 
 def _same(one: Any, two: Any) -> bool:

@@ -37,7 +37,7 @@ def bind(rest: RestSurface, setup: Setup, earlier: Binding | None = None) -> Bin
     if earlier is not None and setup == earlier.setup:
         return earlier
     length = rest.energy.resolved(setup.bending_length)
-    gains = _gains(rest, setup)
+    gains = gains_of(rest, setup)
     if earlier is not None and setup.holds_as(earlier.setup):
         constraints, structure = earlier.constraints, earlier.structure
     else:
@@ -48,7 +48,8 @@ def bind(rest: RestSurface, setup: Setup, earlier: Binding | None = None) -> Bin
     return Binding(rest, setup, length, constraints, structure, system, hard)
 
 
-def _gains(rest: RestSurface, setup: Setup) -> Gains:
+def gains_of(rest: RestSurface, setup: Setup) -> Gains:
+    """The gains of each edge that a setup asks for. Raises MaterialError."""
     if setup.edge_gains is not None:
         return explicit_gains(rest.topology, setup.edge_gains)
     return softness_gains(rest.topology, setup.softness, setup.material)

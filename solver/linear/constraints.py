@@ -44,7 +44,7 @@ def build_constraints(rest: RestSurface, setup: Setup) -> Constraints:
     possible = rest.attachments
     count = int(rest.pieces.max()) + 1
     attachments = possible.where(setup.follows(possible.follower, count))
-    body = _bodies(rest, attachments)
+    body = attached_bodies(rest, attachments)
     held = np.zeros(int(body.max()) + 1, dtype=bool)
     held[body[group != FREE]] = True
     oriented = group != FREE if setup.orientation else _underdetermined(rest, group)
@@ -55,7 +55,7 @@ def build_constraints(rest: RestSurface, setup: Setup) -> Constraints:
     return Constraints(setup.handles, row_group, free, attachments, row_body, held)
 
 
-def _bodies(rest: RestSurface, attachments: Attachments) -> IntArray:
+def attached_bodies(rest: RestSurface, attachments: Attachments) -> IntArray:
     """(n,) components of vertices, those that are attached to each other taken together."""
     component = rest.topology.vertex_component
     if len(attachments) == 0:

@@ -55,40 +55,56 @@ class Grab:
 
 
 def make_grab(
-    rest: RestSurface, constraints: Constraints, system: System, weights: ArrayLike, lever: float
+    rest: RestSurface,
+    constraints: Constraints,
+    system: System,
+    weights: ArrayLike,
+    lever: float,
+    hanging: FloatArray | None = None,
 ) -> Grab:
     """A soft handle on the vertices where `weights` (n,) is positive: four back-substitutions.
 
     Weights on held vertices have no effect: those move with their handle. In directions in which
     the region is flat, thin or a single point its positions determine no affine map; there the
     mean of its frames is asked instead, with `lever` (normalised length) as their arm.
+    hanging: E' diag(omega) J, (n + 3m, 4), where the region is one of a mesh that hangs on this
+    surface by E: its moments are met in place of those of this surface's own vertices.
     Raises ConstraintError unless weights are (n,), non-negative, and positive on a free vertex.
     """
-    w = as_floats(weights, "grab weights", ConstraintError)
     n = len(rest.vertices)
-    if w.shape != (n,):
-        raise ConstraintError(f"grab weights must be ({n},), got {w.shape}")
-    if (w < 0).any():
-        raise ConstraintError(f"grab weights must not be negative, got {w.min()}")
+    w = as_grab_weights(weights, n)
     body = constraints.row_body[:n]
     loose = np.unique(body[(w > 0) & ~constraints.held_bodies[body]])
     carried = np.flatnonzero(np.isin(constraints.row_body, loose))
-    moments = _moments(rest, w, lever)[system.free]
+    moments = _moments(rest, w, lever, hanging)[system.free]
     if not moments.any() and len(carried) == 0:
         raise ConstraintError("grab weights select no vertex that is free to move")
     return Grab(w, moments, system.factor.solve(moments), carried)
 
 
-def _moments(rest: RestSurface, weights: FloatArray, lever: float) -> FloatArray:
+def as_grab_weights(weights: ArrayLike, vertex_count: int) -> FloatArray:
+    """Weights as (n,) of at least 0; ConstraintError otherwise."""
+    w = as_floats(weights, "grab weights", ConstraintError)
+    if w.shape != (vertex_count,):
+        raise ConstraintError(f"grab weights must be ({vertex_count},), got {w.shape}")
+    if (w < 0).any():
+        raise ConstraintError(f"grab weights must not be negative, got {w.min()}")
+    return w
+
+
+def _moments(
+    rest: RestSurface, weights: FloatArray, lever: float, hanging: FloatArray | None
+) -> FloatArray:
     """C = diag(omega) J, with the frames' rows only where positions determine nothing."""
     n = len(weights)
     J = rest.affine_rows
     omega = weights / max(weights.max(), np.finfo(float).tiny)
-    C = np.zeros_like(J)
-    C[:n] = omega[:, None] * J[:n]
+    C = np.zeros_like(J) if hanging is None else hanging.copy()
+    if hanging is None:
+        C[:n] = omega[:, None] * J[:n]
     normals = _undetermined_directions(rest.points, omega)
     frame_weight = np.repeat(lever**2 * omega[rest.faces].mean(axis=1), 3)
-    C[n:, :3] = frame_weight[:, None] * (J[n:, :3] @ normals @ normals.T)
+    C[n:, :3] += frame_weight[:, None] * (J[n:, :3] @ normals @ normals.T)
     return C
 
 

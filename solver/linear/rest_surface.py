@@ -24,10 +24,14 @@ class RestSurface:
     vertices, faces: as given.  points: (n, 3) the same vertices in normalised units.
     """
 
-    def __init__(self, vertices: FloatArray, topology: Topology) -> None:
+    def __init__(
+        self, vertices: FloatArray, topology: Topology, attachments: Attachments | None = None
+    ) -> None:
+        """attachments: what can join the pieces, in normalised units; None to have it found."""
         self.vertices = vertices
         self.topology = topology
         self.faces = topology.faces
+        self._attachments = attachments
         low, high = self.vertices.min(axis=0), self.vertices.max(axis=0)
         self.centre: FloatArray = 0.5 * (low + high)
         self.scale = float(np.linalg.norm(high - low)) or 1.0  # all vertices in one point
@@ -93,6 +97,8 @@ class RestSurface:
     @cached_property
     def attachments(self) -> Attachments:
         """What can join the pieces, in normalised units."""
+        if self._attachments is not None:
+            return self._attachments
         return find_attachments(self.points, self.topology, self.pieces)
 
     def normalise(self, X: FloatArray) -> FloatArray:

@@ -1,0 +1,129 @@
+"""What carries a coarse surface's motion to the fine one: the operator E, once a mesh."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+import scipy.sparse as sp
+
+from solver.coarse.closest import NearbySurface
+from solver.coarse.simplification import Simplification, simplify
+from solver.factor import minimum_degree
+from solver.geometry.topology import Topology
+from solver.linear.rest_surface import RestSurface
+from solver.surface.attachments import Attachments
+from solver.types import FloatArray, IntArray
+
+
+class Carrier:
+    """A fine surface that hangs on a coarse one.
+
+    With the closest point of a fine vertex v at sum lambda_i p_i on a coarse triangle, its corners
+    carry v as each would by itself, in the mean of the frames around it:
+
+        x = sum lambda_i (x_i + M_i (v - p_i))
+
+    which is exact for affine motions, and has no folds at the coarse edges to first order.
+
+    fine, coarse: both surfaces at rest.  cell: (n,) see Simplification.
+    corners, weights: (n, 3) the coarse vertices that carry each fine one, and lambda.
+    """
+
+    def __init__(self, fine: RestSurface, count: int) -> None:
+        """count: of coarse vertices at most; fewer than fine ones, or nothing is gained."""
+        self.fine = fine
+        simple = simplify(fine.vertices, fine.faces, count)
+        surface = NearbySurface(simple.vertices, simple.faces)
+        self.cell = simple.cell
+        used = np.flatnonzero(simple.cell >= 0)
+        face, weights = surface.closest(fine.vertices[used], simple.cell[used])
+        self.corners: IntArray = np.zeros((len(simple.cell), 3), dtype=np.int64)
+        self.weights: FloatArray = np.zeros((len(simple.cell), 3))
+        self.corners[used], self.weights[used] = simple.faces[face], weights
+        self.coarse = _coarse_rest(fine, simple, surface)
+
+    @cached_property
+    def elimination_order(self) -> IntArray | None:
+        """(n,) an order of the fine vertices that keeps factors sparse, see RestSurface."""
+        rest, terms = self.fine, self.fine.attachments
+        joined = np.column_stack([np.repeat(terms.vertex, 3), rest.faces[terms.face].ravel()])
+        one, two = np.concatenate([rest.topology.edges, joined]).T
+        return minimum_degree(np.maximum(one, two), np.minimum(one, two), len(rest.vertices))
+
+    @cached_property
+    def vertex_means(self) -> sp.csr_array:
+        """(c, k) the mean over a coarse vertex's triangles, by area."""
+        faces, P = self.coarse.faces, self.coarse.points
+        a, b, c = (P[corner] for corner in faces.T)
+        area = np.linalg.norm(np.cross(b - a, c - a), axis=1) + np.finfo(float).tiny
+        index = faces.ravel(), np.repeat(np.arange(len(faces)), 3)
+        shape = (len(P), len(faces))
+        sums = sp.csr_array(sp.coo_array((np.repeat(area, 3), index), shape=shape))
+        total = np.maximum(sums.sum(axis=1), np.finfo(float).tiny)
+        return sp.csr_array(sp.diags_array(1.0 / total) @ sums)
+
+    @cached_property
+    def interpolation(self) -> sp.csr_array:
+        """(n, c) the weights lambda."""
+        return self._matrix(self.weights[:, :, None])
+
+    @cached_property
+    def _offsets(self) -> sp.csr_array:
+        """(n, 3c) lambda_i (v - p_i), in the coarse surface's units."""
+        arms = self.coarse.normalise(self.fine.vertices)[:, None] - self.coarse.points[self.corners]
+        return self._matrix(self.weights[:, :, None] * arms)
+
+    def _matrix(self, values: FloatArray) -> sp.csr_array:
+        """(n, w c) from w values (n, 3, w) for each corner."""
+        n, _, width = values.shape
+        columns = width * self.corners[:, :, None] + np.arange(width)
+        ends = np.arange(0, 3 * width * n + 1, 3 * width)
+        shape = (n, width * len(self.coarse.vertices))
+        return sp.csr_array((values.ravel(), columns.ravel(), ends), shape=shape)
+
+    def vertex_frames(self, frames: FloatArray) -> FloatArray:
+        """(3c, j) mean rows of frames at coarse vertices, from those of triangles (3k, j)."""
+        width = 3 * frames.shape[1]
+        return np.asarray(self.vertex_means @ frames.reshape(-1, width)).reshape(
+            -1, frames.shape[1]
+        )
+
+    def carry(self, rows: FloatArray) -> FloatArray:
+        """E rows, (n, j), for a change of the coarse U or a basis, (c + 3k, j)."""
+        count = len(self.coarse.vertices)
+        frames = self.vertex_frames(rows[count:])
+        return np.asarray(self.interpolation @ rows[:count] + self._offsets @ frames)
+
+    def gather(self, values: FloatArray) -> FloatArray:
+        """E' values, (c + 3k, j), for values (n, j) at the fine vertices."""
+        frames = self._offsets.T @ values
+        width = 3 * values.shape[1]
+        faces = self.vertex_means.T @ frames.reshape(-1, width)
+        return np.concatenate([self.interpolation.T @ values, faces.reshape(-1, values.shape[1])])
+
+    def mean(self, values: FloatArray) -> FloatArray:
+        """(c,) the mean of values (n,) over the cell of each coarse vertex."""
+        used = self.cell >= 0
+        count = len(self.coarse.vertices)
+        sums = np.bincount(self.cell[used], values[used], count)
+        return np.asarray(sums / np.bincount(self.cell[used], minlength=count))
+
+
+def _coarse_rest(fine: RestSurface, simple: Simplification, surface: NearbySurface) -> RestSurface:
+    """The coarse surface, its pieces attached where those of the fine one are."""
+    topology = Topology(simple.faces, len(simple.vertices))
+    own = RestSurface(simple.vertices, topology, Attachments.none())
+    terms = fine.attachments
+    if len(terms) == 0:
+        return own
+    vertex = simple.cell[terms.vertex]
+    face, weights = surface.closest(simple.vertices[vertex], simple.cell[fine.faces[terms.face, 0]])
+    foot = np.einsum("ij,ijk->ik", weights, own.points[simple.faces[face]])
+    own_face = np.zeros(len(simple.vertices), dtype=np.int64)
+    own_face[simple.faces.ravel()] = np.repeat(np.arange(len(simple.faces)), 3)
+    offset = own.points[vertex] - foot
+    attachments = Attachments(
+        vertex, own_face[vertex], face, weights, offset, terms.weight, terms.follower
+    )
+    return RestSurface(simple.vertices, topology, attachments)

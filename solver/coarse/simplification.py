@@ -1,0 +1,203 @@
+"""A coarser surface for the frames: edges collapsed evenly. [Garland & Heckbert 1997]"""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import dataclass
+
+import fast_simplification
+import numpy as np
+from scipy.spatial import cKDTree
+
+from solver.coarse.closest import NearbySurface
+from solver.geometry.topology import Topology
+from solver.types import BoolArray, FloatArray, IntArray
+
+# A piece is not simplified below this many vertices.
+SMALLEST_PIECE = 48
+# Quadrics keep few vertices where a surface is flat, which then cannot bend. Displaced by this
+# share of an edge, every region is about equally rough, and edges collapse evenly.
+ROUGHNESS = 0.1
+# How fast the package lets the error grow: the slower, the more evenly edges collapse.
+GROWTH = 4.0
+# The count of triangles that belongs to a count of vertices is found in a few steps.
+ATTEMPTS = 6
+# Neighbours count as folded where the cosine between their normals is below.
+FOLDED = -0.2
+# The package keeps its mesh in variables of its own.
+_ONE_AT_A_TIME = threading.Lock()
+
+
+@dataclass(frozen=True, eq=False)
+class Simplification:
+    """A coarse surface and where the fine one went.
+
+    vertices, faces: (c, 3) and (k, 3) of the coarse surface.
+    cell: (n,) the coarse vertex that each fine one collapsed into; -1 where no triangle uses it.
+    """
+
+    vertices: FloatArray
+    faces: IntArray
+    cell: IntArray
+
+
+def simplify(V: FloatArray, F: IntArray, count: int) -> Simplification:
+    """The surface (n, 3), (m, 3) with at most `count` vertices, where its pieces allow that.
+
+    Each connected piece is simplified by itself, so that none is lost or joined to another, to
+    its share of the vertices but not below SMALLEST_PIECE. Boundaries are kept.
+    """
+    component = Topology(F, len(V)).vertex_component
+    size = np.bincount(component[np.unique(F)], minlength=component.max() + 1)
+    order = np.argsort(component[F[:, 0]], kind="stable")
+    pieces = np.split(F[order], np.cumsum(np.bincount(component[F[:, 0]], minlength=len(size))))
+    cell = np.full(len(V), -1)
+    vertices, faces, total = [], [], 0
+    for piece, allowed in zip(pieces[:-1], _shares(size, count), strict=True):
+        if len(piece) == 0:
+            continue
+        used, local = np.unique(piece, return_inverse=True)
+        P, T, own = _simplified_piece(V[used], local.reshape(-1, 3), int(allowed))
+        cell[used] = own + total
+        vertices.append(P)
+        faces.append(T + total)
+        total += len(P)
+    return Simplification(np.concatenate(vertices), np.concatenate(faces), cell)
+
+
+def _shares(size: IntArray, count: int) -> IntArray:
+    """How many vertices each piece may keep: in proportion, small ones at least their minimum."""
+    least = np.minimum(size, SMALLEST_PIECE)
+    kept = least.copy()
+    large = size > least
+    while large.any():
+        rate = (count - least[~large].sum()) / size[large].sum()
+        short = large & (rate * size < least)
+        if not short.any():
+            kept[large] = np.minimum(np.floor(rate * size[large]), size[large])
+            break
+        large &= ~short
+    return kept
+
+
+def _simplified_piece(
+    V: FloatArray, F: IntArray, count: int
+) -> tuple[FloatArray, IntArray, IntArray]:
+    """Vertices, triangles and cells of one connected piece; itself where it cannot be simplified."""
+    same = V, F, np.arange(len(V))
+    if count >= len(V):
+        return same
+    P, T, cell = _collapsed(_roughened(V, F), F, count)
+    if len(T) == 0 or not _whole(P, T, cell):
+        return same
+    return _placed(V, F, T, cell), T, cell
+
+
+def _whole(P: FloatArray, T: IntArray, cell: IntArray) -> bool:
+    """Whether it is still one piece, every vertex of which stands for some."""
+    one = Topology(T, len(P)).vertex_component.max() == 0
+    return bool(one and np.bincount(cell, minlength=len(P)).all())
+
+
+def _collapsed(R: FloatArray, F: IntArray, count: int) -> tuple[FloatArray, IntArray, IntArray]:
+    """Edges of the surface R collapsed until at most `count` vertices remain, as far as it goes."""
+    P, T, cell = R, F, np.arange(len(R))
+    triangles = 2 * count
+    for _ in range(ATTEMPTS):
+        with _ONE_AT_A_TIME:
+            collapses = fast_simplification.simplify(
+                P.copy(),
+                T.astype(np.int32),
+                target_count=min(triangles, len(T)),
+                agg=GROWTH,
+                return_collapses=True,
+            )[2]
+            P, T, goes = fast_simplification.replay_simplification(
+                P.copy(), T.astype(np.int32), collapses
+            )
+        T = T.astype(np.int64)
+        cell = goes[cell]
+        if len(P) <= count or len(T) == 0:
+            break
+        # With a boundary there are more vertices to a triangle than in a closed surface.
+        triangles = int(len(T) * count / len(P))
+    return np.asarray(P, dtype=np.float64), T, _mended(R, P, np.asarray(cell, dtype=np.int64))
+
+
+def _mended(R: FloatArray, P: FloatArray, cell: IntArray) -> IntArray:
+    """Cells (n,) in range: a vertex whose last triangle vanished belongs to the nearest vertex."""
+    lost = np.flatnonzero((cell < 0) | (cell >= len(P)))
+    if len(lost):
+        cell[lost] = cKDTree(P).query(R[lost])[1]
+    return cell
+
+
+def _scale(V: FloatArray) -> float:
+    return float(np.linalg.norm(np.ptp(V, axis=0))) or 1.0
+
+
+def _roughened(V: FloatArray, F: IntArray) -> FloatArray:
+    """V, at a size of 1, displaced along its normals by random shares of the edges around."""
+    edges = Topology(F, len(V)).edges
+    lengths = np.linalg.norm(V[edges[:, 1]] - V[edges[:, 0]], axis=1)
+    around = np.bincount(edges.ravel(), np.repeat(lengths, 2), len(V))
+    around /= np.bincount(edges.ravel(), minlength=len(V))
+    normals = np.zeros_like(V)
+    for corner in F.T:
+        for axis, values in enumerate(_normals(V, F).T):
+            normals[:, axis] += np.bincount(corner, values, len(V))
+    normals /= np.maximum(np.linalg.norm(normals, axis=1), np.finfo(float).tiny)[:, None]
+    push = ROUGHNESS * around * np.random.default_rng(0).uniform(-1.0, 1.0, len(V))
+    return np.asarray((V - V.min(axis=0) + push[:, None] * normals) / _scale(V))
+
+
+def _normals(V: FloatArray, F: IntArray) -> FloatArray:
+    """(m, 3) normals, twice the area long."""
+    a, b, c = (V[corner] for corner in F.T)
+    return np.cross(b - a, c - a)
+
+
+def _placed(V: FloatArray, F: IntArray, T: IntArray, cell: IntArray) -> FloatArray:
+    """(c, 3): each coarse vertex on the fine surface, in the middle of its cell.
+
+    The middle of its boundary, if the cell has some; a member of the cell where triangles would
+    fold.
+    """
+    middle = _means(V, _placing_weights(V, F, cell), cell)
+    distance = ((V - middle[cell]) ** 2).sum(axis=1)
+    order = np.lexsort((distance, cell))
+    member = order[np.unique(cell[order], return_index=True)[1]]
+    surface = NearbySurface(V, F)
+    face, weights = surface.closest(middle, member)
+    placed = np.einsum("ij,ijk->ik", weights, V[F[face]])
+    folded = _folded(placed, T)
+    placed[folded] = V[member[folded]]
+    return placed
+
+
+def _placing_weights(V: FloatArray, F: IntArray, cell: IntArray) -> FloatArray:
+    """(n,) areas around vertices; in a cell with a part of the boundary, that of the rest is 0."""
+    topology = Topology(F, len(V))
+    area = np.repeat(np.linalg.norm(_normals(V, F), axis=1), 3)
+    weights = np.bincount(F.ravel(), area, len(V)) + np.finfo(float).tiny
+    border = np.zeros(len(V), dtype=bool)
+    border[topology.edges[topology.valence == 1]] = True
+    has_border = np.zeros(len(V), dtype=bool)
+    has_border[cell[border]] = True
+    weights[has_border[cell] & ~border] = 0.0
+    return weights
+
+
+def _means(V: FloatArray, weights: FloatArray, cell: IntArray) -> FloatArray:
+    sums = np.stack([np.bincount(cell, weights * values) for values in V.T], axis=1)
+    return np.asarray(sums / np.bincount(cell, weights)[:, None])
+
+
+def _folded(P: FloatArray, T: IntArray) -> IntArray:
+    """The vertices of neighbouring triangles that are folded on each other."""
+    pairs = Topology(T, len(P)).pairs
+    normals = _normals(P, T)
+    length = np.linalg.norm(normals, axis=1)
+    cosine = np.einsum("ij,ij->i", normals[pairs.first], normals[pairs.second])
+    bad: BoolArray = cosine <= FOLDED * length[pairs.first] * length[pairs.second]
+    return np.unique(T[np.concatenate([pairs.first[bad], pairs.second[bad]])])

@@ -1,0 +1,256 @@
+"""A surface bound with coarse frames and fine positions. [docs/coarse.md]"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.spatial import cKDTree
+
+from solver.arrays import as_floats
+from solver.bound_surface import BoundSurface
+from solver.coarse.carrier import Carrier
+from solver.coarse.fine_poisson import FinePoisson
+from solver.coarse.held import Held
+from solver.coarse.restriction import restrict
+from solver.coarse.vertex_rotations import VertexRotations
+from solver.errors import ConstraintError
+from solver.geometry.procrustes import rigid_motion
+from solver.geometry.rotations import nearest_rotations
+from solver.linear.binding import Binding, bind, gains_of
+from solver.linear.drag_model import DragModel, Transforms
+from solver.linear.grab import as_grab_weights
+from solver.linear.rest_surface import RestSurface
+from solver.setup import FIXED, FREE, Setup
+from solver.surface.embedding import Embedding, Identity
+from solver.types import FloatArray, IntArray
+
+
+@dataclass(frozen=True, eq=False)
+class CoarseSurface:
+    """A shown mesh on a fine surface, whose frames are those of a coarse one. See BoundSurface.
+
+    embedding: of the shown mesh on the fine surface.  carrier: of the fine on the coarse one.
+    coarse: the coarse surface, bound.  grabs: (n,) the fine weights of each soft handle.
+    """
+
+    embedding: Embedding
+    setup: Setup
+    carrier: Carrier
+    held: Held
+    coarse: BoundSurface
+    grabs: tuple[FloatArray, ...] = ()
+
+    @staticmethod
+    def of(embedding: Embedding, setup: Setup, count: int) -> CoarseSurface:
+        """Bound for the first time, with at most `count` coarse vertices."""
+        carrier = Carrier(RestSurface(embedding.vertices, embedding.topology), count)
+        held = Held(carrier, embedding.setup(setup))
+        return CoarseSurface(embedding, setup, carrier, held, _coarse(carrier, held))
+
+    def rebound(self, setup: Setup) -> CoarseSurface:
+        """Bound to another setup, sharing what is the same; grabs keep their weights."""
+        fine = self.embedding.setup(setup)
+        same = fine.holds_as(self.held.setup)
+        held = self.held.with_material(fine) if same else Held(self.carrier, fine)
+        coarse = _coarse(self.carrier, held, self.coarse)
+        bound = CoarseSurface(self.embedding, setup, self.carrier, held, coarse)
+        for weights in self.grabs:
+            bound = bound.with_grab(weights)
+        return bound
+
+    def grabbed(self, weights: ArrayLike) -> CoarseSurface:
+        """With one more soft handle, from weights (n',) on the shown mesh."""
+        w = as_floats(self.embedding.weights(weights), "grab weights", ConstraintError)
+        return self.with_grab(as_grab_weights(w, len(self.carrier.fine.vertices)))
+
+    def with_grab(self, weights: FloatArray) -> CoarseSurface:
+        """With one more soft handle, from weights (n,) on the fine surface."""
+        hanging = self.carrier.gather(self._moment_rows(weights))
+        count = len(self.carrier.coarse.vertices)
+        spread = np.asarray(self.carrier.interpolation.T @ weights)
+        coarse = self.coarse.with_grab(spread.reshape(count), hanging)
+        return replace(self, coarse=coarse, grabs=(*self.grabs, weights))
+
+    def _moment_rows(self, weights: FloatArray) -> FloatArray:
+        """diag(omega) J, (n, 4), of the fine vertices that are free, in coarse units."""
+        points = self.carrier.coarse.normalise(self.carrier.fine.vertices)
+        omega = np.where(self.held.group == FREE, weights, 0.0) / weights.max()
+        return omega[:, None] * np.column_stack([points, np.ones(len(points))])
+
+    @property
+    def grab_weights(self) -> tuple[FloatArray, ...]:
+        """(n,) of each soft handle on the fine surface."""
+        return self.grabs
+
+    @property
+    def binding(self) -> Binding:
+        """The coarse surface's."""
+        return self.coarse.binding
+
+    @property
+    def handle_count(self) -> int:
+        """Hard handles plus grabs."""
+        return self.coarse.handle_count
+
+    @cached_property
+    def _basis(self) -> FloatArray:
+        """(n, 4h) B of the fine vertices, in coarse units."""
+        carried = self.carrier.carry(self.coarse.response.basis)
+        return self.held.border.meet(carried, self.held.goals(self.handle_count))
+
+    @cached_property
+    def drag_model(self) -> DragModel:
+        """A drag at the linear level, alone."""
+        model = self.coarse.drag_model
+        basis = self.embedding.apply(self._basis)
+        parts = model.centre, model.scale, basis, model.form, model.stiffness
+        return DragModel.of(self.embedding.shown, *parts)
+
+    @cached_property
+    def _poisson(self) -> FinePoisson:
+        sigma = gains_of(self.carrier.fine, self.held.setup)[1]
+        structure = self.held.structure
+        moments = [self._moment_rows(weights)[structure.free] for weights in self.grabs]
+        C = np.hstack([np.empty((len(structure.free), 0)), *moments])
+        return FinePoisson(structure, sigma, C)
+
+    @cached_property
+    def _rotations(self) -> VertexRotations:
+        return VertexRotations(self.carrier)
+
+    def posed(self, transforms: Sequence[ArrayLike], level: int) -> FloatArray:
+        """The shown mesh (n', 3) for one transform (4, 4) a handle. Raises ConstraintError."""
+        if level == 0:
+            return self.drag_model.pose(transforms)
+        displacement = self.coarse.displacement(transforms)
+        moved = self._basis @ self.drag_model.steps(transforms)
+        return self._refined(displacement, moved, transforms, level)
+
+    def solved(self, targets: ArrayLike, level: int) -> FloatArray:
+        """The shown mesh (n', 3) for targets of the handles' vertices. Raises ConstraintError."""
+        goals = self._goals(targets)
+        displacement, motions = self.coarse.respond(self._coarse_targets(goals))
+        held = self.held.border.held
+        fine = self.carrier.fine.vertices
+        wanted = np.zeros((len(held), 3))
+        for vertices, goal in goals:
+            wanted[np.searchsorted(held, vertices)] = (goal - fine[vertices]) / self._scale
+        moved = self.held.border.meet(self.carrier.carry(displacement), wanted)
+        if level == 0:
+            return self._shown(moved)
+        return self._refined(displacement, moved, motions, level)
+
+    def frames(self, transforms: Transforms) -> FloatArray:
+        """G, (m, 3, 3): the linear frames of the fine surface's triangles."""
+        count, fine = len(self.carrier.coarse.vertices), self.carrier.fine
+        change = self.coarse.displacement(transforms)[count:]
+        at_corners = self.carrier.vertex_frames(change).reshape(count, 9)
+        rows = np.eye(3) + (self.carrier.interpolation @ at_corners).reshape(-1, 3, 3)
+        self._set_held(rows, np.arange(len(rows)), transforms)
+        return rows[fine.faces].mean(axis=1).transpose(0, 2, 1)
+
+    @property
+    def _scale(self) -> float:
+        return self.carrier.coarse.scale
+
+    def _goals(self, targets: ArrayLike) -> list[tuple[IntArray, FloatArray]]:
+        """Each handle's fine vertices and where they go."""
+        handles = self.setup.handles
+        X, count = as_floats(targets, "targets", ConstraintError), sum(map(len, handles))
+        if X.shape != (count, 3):
+            raise ConstraintError(f"targets must be ({count}, 3), got {X.shape}")
+        splits = np.split(X, np.cumsum([len(handle) for handle in handles])[:-1])
+        parts = zip(handles, self.held.setup.handles, splits, strict=False)  # none: one empty split
+        return [(own, self.embedding.targets(named, goal, own)) for named, own, goal in parts]
+
+    def _coarse_targets(self, goals: list[tuple[IntArray, FloatArray]]) -> FloatArray:
+        """Where the coarse handles' vertices go: each with the nearest fine vertex of its own."""
+        P, V = self.carrier.coarse.vertices, self.carrier.fine.vertices
+        targets = [np.empty((0, 3))]
+        for (vertices, goal), own in zip(goals, self.coarse.setup.handles, strict=True):
+            R = rigid_motion(V[vertices], goal)[:3, :3]
+            nearest = cKDTree(V[vertices]).query(P[own])[1]
+            targets.append(goal[nearest] + (P[own] - V[vertices[nearest]]) @ R.T)
+        return np.concatenate(targets)
+
+    def _refined(
+        self,
+        displacement: FloatArray,
+        moved: FloatArray,
+        transforms: Sequence[ArrayLike],
+        level: int,
+    ) -> FloatArray:
+        """The shown mesh at a rigid level of 1 or more.
+
+        displacement: the linear change of the coarse U.  moved: (n, 3) of the fine vertices.
+        """
+        fine, vertices = self.carrier.fine, self.held.structure.vertices
+        turned = self._rotations.quaternions(
+            self._coarse_rotations(displacement, transforms, level)
+        )
+        R = self._rotations.at(turned, vertices)
+        self._set_held(R, vertices, transforms)
+        X = fine.points + moved * (self._scale / fine.scale)
+        X = self._poisson.positions(X, R, self._poisson.moments(X))
+        return self._shown((X - fine.points) * (fine.scale / self._scale))
+
+    def _coarse_rotations(
+        self, displacement: FloatArray, transforms: Sequence[ArrayLike], level: int
+    ) -> FloatArray:
+        """Rows (k, 3, 3) of R' of every coarse triangle."""
+        rest, active = self.carrier.coarse, self.binding.system.active
+        count = len(rest.vertices)
+        R = (rest.affine_rows[count:, :3] + displacement[count:]).reshape(-1, 3, 3)
+        still = np.ones(len(R), dtype=bool)
+        still[active] = False
+        R[still] = nearest_rotations(R[still])
+        R[active] = self.coarse.refined(displacement, transforms, level).rotations
+        return R
+
+    def _set_held(self, rows: FloatArray, vertices: IntArray, transforms: Transforms) -> None:
+        """Where handles hold frames, `rows` (v, 3, 3) of the vertices (v,) become theirs."""
+        if not self.setup.orientation:
+            return
+        group = self.held.group[vertices]
+        rows[group == FIXED] = np.eye(3)
+        for number in range(len(self.setup.handles)):
+            A = np.asarray(transforms[number], dtype=np.float64)[:3, :3]
+            rows[group == 1 + number] = A.T
+
+    def _shown(self, displacement: FloatArray) -> FloatArray:
+        """World positions (n', 3); a zero displacement gives rest positions to the last bit."""
+        return self.embedding.shown + self._scale * self.embedding.apply(displacement)
+
+
+def _coarse(carrier: Carrier, held: Held, earlier: BoundSurface | None = None) -> BoundSurface:
+    """The coarse surface bound as the fine one is held; shares with `earlier` what it can."""
+    setup = restrict(carrier, held.setup, held.coarse_group)
+    shown = Identity(carrier.coarse.vertices, carrier.coarse.topology)
+    binding = bind(carrier.coarse, setup, earlier.binding if earlier else None)
+    return BoundSurface(shown, setup, binding)
+
+
+def bind_surface(embedding: Embedding, setup: Setup) -> BoundSurface | CoarseSurface:
+    """Bound exactly, or with coarse frames where the setup asks for fewer vertices than there are.
+
+    Raises ConstraintError or MaterialError.
+    """
+    if setup.coarse is None or setup.coarse >= len(embedding.vertices):
+        return BoundSurface.of(embedding, setup)
+    return CoarseSurface.of(embedding, setup, setup.coarse)
+
+
+def rebind_surface(
+    bound: BoundSurface | CoarseSurface, setup: Setup
+) -> BoundSurface | CoarseSurface:
+    """Bound to another setup, sharing what is the same; grabs keep their weights."""
+    if setup.coarse == bound.setup.coarse:
+        return bound.rebound(setup)
+    other = bind_surface(bound.embedding, setup)
+    for weights in bound.grab_weights:
+        other = other.with_grab(weights)
+    return other
