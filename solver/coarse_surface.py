@@ -8,7 +8,6 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.spatial import cKDTree
 
 from solver.arrays import as_floats
 from solver.bound_surface import BoundSurface
@@ -16,9 +15,9 @@ from solver.coarse.carrier import Carrier
 from solver.coarse.fine_poisson import FinePoisson
 from solver.coarse.held import Held
 from solver.coarse.restriction import restrict
+from solver.coarse.targets import Goal, coarse_targets
 from solver.coarse.vertex_rotations import VertexRotations
 from solver.errors import ConstraintError
-from solver.geometry.procrustes import rigid_motion
 from solver.geometry.rotations import nearest_rotations
 from solver.linear.binding import Binding, bind, gains_of
 from solver.linear.drag_model import DragModel, Transforms
@@ -70,9 +69,7 @@ class CoarseSurface:
     def with_grab(self, weights: FloatArray) -> CoarseSurface:
         """With one more soft handle, from weights (n,) on the fine surface."""
         hanging = self.carrier.gather(self._moment_rows(weights))
-        count = len(self.carrier.coarse.vertices)
-        spread = np.asarray(self.carrier.interpolation.T @ weights)
-        coarse = self.coarse.with_grab(spread.reshape(count), hanging)
+        coarse = self.coarse.with_grab(self.carrier.weights.T @ weights, hanging)
         return replace(self, coarse=coarse, grabs=(*self.grabs, weights))
 
     def _moment_rows(self, weights: FloatArray) -> FloatArray:
@@ -133,7 +130,9 @@ class CoarseSurface:
     def solved(self, targets: ArrayLike, level: int) -> FloatArray:
         """The shown mesh (n', 3) for targets of the handles' vertices. Raises ConstraintError."""
         goals = self._goals(targets)
-        displacement, motions = self.coarse.respond(self._coarse_targets(goals))
+        displacement, motions = self.coarse.respond(
+            coarse_targets(self.carrier, goals, self.coarse.setup.handles)
+        )
         held = self.held.border.held
         fine = self.carrier.fine.vertices
         wanted = np.zeros((len(held), 3))
@@ -157,7 +156,7 @@ class CoarseSurface:
     def _scale(self) -> float:
         return self.carrier.coarse.scale
 
-    def _goals(self, targets: ArrayLike) -> list[tuple[IntArray, FloatArray]]:
+    def _goals(self, targets: ArrayLike) -> list[Goal]:
         """Each handle's fine vertices and where they go."""
         handles = self.setup.handles
         X, count = as_floats(targets, "targets", ConstraintError), sum(map(len, handles))
@@ -166,16 +165,6 @@ class CoarseSurface:
         splits = np.split(X, np.cumsum([len(handle) for handle in handles])[:-1])
         parts = zip(handles, self.held.setup.handles, splits, strict=False)  # none: one empty split
         return [(own, self.embedding.targets(named, goal, own)) for named, own, goal in parts]
-
-    def _coarse_targets(self, goals: list[tuple[IntArray, FloatArray]]) -> FloatArray:
-        """Where the coarse handles' vertices go: each with the nearest fine vertex of its own."""
-        P, V = self.carrier.coarse.vertices, self.carrier.fine.vertices
-        targets = [np.empty((0, 3))]
-        for (vertices, goal), own in zip(goals, self.coarse.setup.handles, strict=True):
-            R = rigid_motion(V[vertices], goal)[:3, :3]
-            nearest = cKDTree(V[vertices]).query(P[own])[1]
-            targets.append(goal[nearest] + (P[own] - V[vertices[nearest]]) @ R.T)
-        return np.concatenate(targets)
 
     def _refined(
         self,

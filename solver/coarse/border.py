@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 
 import numpy as np
+import scipy.sparse as sp
 
 from solver.coarse.carrier import Carrier
 from solver.factor import Factor, factorize
@@ -28,7 +29,7 @@ class Border:
         self._band = np.flatnonzero((group == FREE) & _near_border(carrier, group, coarse_group))
 
     def meet(self, X: FloatArray, wanted: FloatArray) -> FloatArray:
-        """X (n, j) with `wanted`, (h, j), at the held vertices and the free ones beside them along."""
+        """X (n, j) with `wanted`, (h, j), at held vertices; the free ones beside them follow."""
         lacking = np.zeros_like(X)
         lacking[self.held] = wanted - X[self.held]
         X = X.copy()
@@ -39,7 +40,7 @@ class Border:
         return X
 
     @cached_property
-    def _laplacian(self) -> tuple[Factor, object, IntArray]:
+    def _laplacian(self) -> tuple[Factor, sp.csr_array, IntArray]:
         """Factor over the band, its rows of the Laplacian, and the vertices of their columns."""
         rest = self._carrier.fine
         inside = np.zeros(len(rest.vertices), dtype=bool)
@@ -54,17 +55,17 @@ class Border:
 
 def _near_border(carrier: Carrier, group: IntArray, coarse_group: IntArray) -> BoolArray:
     """(n,) the vertices carried by a coarse vertex that helps to carry what is held inexactly."""
-    rest = carrier.coarse
-    exact = _whole(coarse_group, rest.faces)
-    corners = carrier.corners
-    counts = carrier.weights > 0.0
-    agrees = exact[corners] & (coarse_group[corners] == group[:, None])
-    inexact = (group != FREE) & ~(agrees | ~counts).all(axis=1)
+    rest, weights = carrier.coarse, carrier.weights
+    exact = np.where(_whole(coarse_group, rest.faces), coarse_group, FREE)
+    vertex = np.repeat(np.arange(len(group)), np.diff(weights.indptr))
+    differs = exact[weights.indices] != group[vertex]
     near = np.zeros(len(rest.vertices), dtype=bool)
-    near[corners[inexact]] = True
+    inexact = np.zeros(len(group), dtype=bool)
+    inexact[vertex[differs & (group[vertex] != FREE)]] = True
+    near[weights.indices[inexact[vertex]]] = True
     edges = rest.topology.edges
     near[edges[near[edges].any(axis=1)]] = True
-    return np.asarray((near[corners] & counts).any(axis=1))
+    return np.asarray(np.bincount(vertex[near[weights.indices]], minlength=len(group)) > 0)
 
 
 def _whole(coarse_group: IntArray, faces: IntArray) -> BoolArray:

@@ -15,19 +15,23 @@ from solver.linear.rest_surface import RestSurface
 from solver.surface.attachments import Attachments
 from solver.types import FloatArray, IntArray
 
+# Of averaging the weights: two take the coarse edges away, more only fill the matrix.
+SWEEPS = 2
+
 
 class Carrier:
     """A fine surface that hangs on a coarse one.
 
-    With the closest point of a fine vertex v at sum lambda_i p_i on a coarse triangle, its corners
-    carry v as each would by itself, in the mean of the frames around it:
+    Coarse vertices carry a fine vertex v as each would by itself, in the mean M_i of the frames
+    around it, with weights w_i that add up to 1:
 
-        x = sum lambda_i (x_i + M_i (v - p_i))
+        x = sum w_i (x_i + M_i (v - p_i))
 
-    which is exact for affine motions, and has no folds at the coarse edges to first order.
+    which is exact for affine motions. The weights are barycentric at the closest point of v, made
+    smoother by a few sweeps of averaging between fine neighbours: otherwise the coarse edges show.
 
     fine, coarse: both surfaces at rest.  cell: (n,) see Simplification.
-    corners, weights: (n, 3) the coarse vertices that carry each fine one, and lambda.
+    corners, barycentric: (n, 3) of the coarse triangle closest to each fine vertex.
     """
 
     def __init__(self, fine: RestSurface, count: int) -> None:
@@ -37,10 +41,10 @@ class Carrier:
         surface = NearbySurface(simple.vertices, simple.faces)
         self.cell = simple.cell
         used = np.flatnonzero(simple.cell >= 0)
-        face, weights = surface.closest(fine.vertices[used], simple.cell[used])
+        face, barycentric = surface.closest(fine.vertices[used], simple.cell[used])
         self.corners: IntArray = np.zeros((len(simple.cell), 3), dtype=np.int64)
-        self.weights: FloatArray = np.zeros((len(simple.cell), 3))
-        self.corners[used], self.weights[used] = simple.faces[face], weights
+        self.barycentric: FloatArray = np.zeros((len(simple.cell), 3))
+        self.corners[used], self.barycentric[used] = simple.faces[face], barycentric
         self.coarse = _coarse_rest(fine, simple, surface)
 
     @cached_property
@@ -65,22 +69,34 @@ class Carrier:
 
     @cached_property
     def interpolation(self) -> sp.csr_array:
-        """(n, c) the weights lambda."""
-        return self._matrix(self.weights[:, :, None])
+        """(n, c) barycentric weights."""
+        n, count = len(self.corners), len(self.coarse.vertices)
+        ends = np.arange(0, 3 * n + 1, 3)
+        entries = self.barycentric.ravel(), self.corners.ravel(), ends
+        return sp.csr_array(entries, shape=(n, count))
 
     @cached_property
-    def _offsets(self) -> sp.csr_array:
-        """(n, 3c) lambda_i (v - p_i), in the coarse surface's units."""
-        arms = self.coarse.normalise(self.fine.vertices)[:, None] - self.coarse.points[self.corners]
-        return self._matrix(self.weights[:, :, None] * arms)
+    def weights(self) -> sp.csr_array:
+        """(n, c) the weights w."""
+        edges, n = self.fine.topology.edges, len(self.corners)
+        ends = np.concatenate([edges, edges[:, ::-1]]).T
+        around = sp.csr_array(sp.coo_array((np.ones(ends.shape[1]), tuple(ends)), shape=(n, n)))
+        degree = np.maximum(around.sum(axis=1), 1.0)
+        average = 0.5 * sp.diags_array(1.0 / degree) @ around
+        weights = self.interpolation
+        for _ in range(SWEEPS):
+            weights = 0.5 * weights + average @ weights
+        return sp.csr_array(weights)
 
-    def _matrix(self, values: FloatArray) -> sp.csr_array:
-        """(n, w c) from w values (n, 3, w) for each corner."""
-        n, _, width = values.shape
-        columns = width * self.corners[:, :, None] + np.arange(width)
-        ends = np.arange(0, 3 * width * n + 1, 3 * width)
-        shape = (n, width * len(self.coarse.vertices))
-        return sp.csr_array((values.ravel(), columns.ravel(), ends), shape=shape)
+    @cached_property
+    def _arms(self) -> sp.csr_array:
+        """(n, 3c) w_i (v - p_i), in the coarse surface's units."""
+        weights, points = self.weights, self.coarse.normalise(self.fine.vertices)
+        vertex = np.repeat(np.arange(len(points)), np.diff(weights.indptr))
+        arms = points[vertex] - self.coarse.points[weights.indices]
+        columns = 3 * weights.indices[:, None] + np.arange(3)
+        entries = (weights.data[:, None] * arms).ravel(), columns.ravel(), 3 * weights.indptr
+        return sp.csr_array(entries, shape=(len(points), 3 * len(self.coarse.points)))
 
     def vertex_frames(self, frames: FloatArray) -> FloatArray:
         """(3c, j) mean rows of frames at coarse vertices, from those of triangles (3k, j)."""
@@ -93,14 +109,14 @@ class Carrier:
         """E rows, (n, j), for a change of the coarse U or a basis, (c + 3k, j)."""
         count = len(self.coarse.vertices)
         frames = self.vertex_frames(rows[count:])
-        return np.asarray(self.interpolation @ rows[:count] + self._offsets @ frames)
+        return np.asarray(self.weights @ rows[:count] + self._arms @ frames)
 
     def gather(self, values: FloatArray) -> FloatArray:
         """E' values, (c + 3k, j), for values (n, j) at the fine vertices."""
-        frames = self._offsets.T @ values
+        frames = self._arms.T @ values
         width = 3 * values.shape[1]
         faces = self.vertex_means.T @ frames.reshape(-1, width)
-        return np.concatenate([self.interpolation.T @ values, faces.reshape(-1, values.shape[1])])
+        return np.concatenate([self.weights.T @ values, faces.reshape(-1, values.shape[1])])
 
     def mean(self, values: FloatArray) -> FloatArray:
         """(c,) the mean of values (n,) over the cell of each coarse vertex."""

@@ -33,7 +33,7 @@ class FineStructure:
         number[free] = np.arange(len(free))
         self.faces = np.flatnonzero((number[rest.faces] >= 0).any(axis=1))
         ends = np.column_stack([attachments.vertex, rest.faces[attachments.face]])
-        some = (number[ends] >= 0).any(axis=1)
+        some = np.asarray((number[ends] >= 0).any(axis=1))
         self.attachments = attachments.where(some)
         corners, ends = rest.faces[self.faces], ends[some]
         self.vertices = np.unique(np.concatenate([free, corners.ravel(), ends.ravel()]))

@@ -83,7 +83,7 @@ def _shares(size: IntArray, count: int) -> IntArray:
 def _simplified_piece(
     V: FloatArray, F: IntArray, count: int
 ) -> tuple[FloatArray, IntArray, IntArray]:
-    """Vertices, triangles and cells of one connected piece; itself where it cannot be simplified."""
+    """Vertices, triangles and cells of one connected piece; itself where that fails."""
     same = V, F, np.arange(len(V))
     if count >= len(V):
         return same
@@ -140,8 +140,8 @@ def _roughened(V: FloatArray, F: IntArray) -> FloatArray:
     """V, at a size of 1, displaced along its normals by random shares of the edges around."""
     edges = Topology(F, len(V)).edges
     lengths = np.linalg.norm(V[edges[:, 1]] - V[edges[:, 0]], axis=1)
-    around = np.bincount(edges.ravel(), np.repeat(lengths, 2), len(V))
-    around /= np.bincount(edges.ravel(), minlength=len(V))
+    total = np.bincount(edges.ravel(), np.repeat(lengths, 2), len(V))
+    around = total / np.bincount(edges.ravel(), minlength=len(V))
     normals = np.zeros_like(V)
     for corner in F.T:
         for axis, values in enumerate(_normals(V, F).T):

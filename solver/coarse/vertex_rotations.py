@@ -34,10 +34,11 @@ class VertexRotations:
         rest = self._carrier.coarse
         a, b, c = (rest.points[corner] for corner in rest.faces.T)
         double = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-        area = np.bincount(rest.faces.ravel(), np.repeat(double / 6, 3), len(rest.points))
+        sixths = np.repeat(double / 6, 3)
+        area = np.bincount(rest.faces.ravel(), sixths, len(rest.points)).astype(np.float64)
         edges = rest.topology.edges
         squared = ((rest.points[edges[:, 1]] - rest.points[edges[:, 0]]) ** 2).sum(axis=1)
-        area += 1e-9 * area.mean()
+        area = area + 1e-9 * area.mean()
         L = cotangent_laplacian(rest.points, rest.faces)
         smooth = sp.diags_array(area) + 0.5 * SMOOTHED**2 * float(np.median(squared)) * L
         return area, factorize(sp.csr_array(smooth))
@@ -52,7 +53,8 @@ class VertexRotations:
 
     def at(self, quaternions: FloatArray, vertices: IntArray) -> FloatArray:
         """Rows (j, 3, 3) of R' at some fine vertices."""
-        corners, weights = self._carrier.corners[vertices], self._carrier.weights[vertices]
+        corners = self._carrier.corners[vertices]
+        weights = self._carrier.barycentric[vertices]
         first, *others = (quaternions[corner] for corner in corners.T)
         q = weights[:, :1] * first
         for other, weight in zip(others, weights.T[1:], strict=True):
