@@ -37,7 +37,7 @@ class Carrier:
     def __init__(self, fine: RestSurface, count: int) -> None:
         """count: of coarse vertices at most; fewer than fine ones, or nothing is gained."""
         self.fine = fine
-        simple = simplify(fine.vertices, fine.faces, count)
+        simple = simplify(fine.vertices, fine.topology, count)
         surface = NearbySurface(simple.vertices, simple.faces)
         self.cell = simple.cell
         used = np.flatnonzero(simple.cell >= 0)
@@ -100,10 +100,9 @@ class Carrier:
 
     def vertex_frames(self, frames: FloatArray) -> FloatArray:
         """(3c, j) mean rows of frames at coarse vertices, from those of triangles (3k, j)."""
-        width = 3 * frames.shape[1]
-        return np.asarray(self.vertex_means @ frames.reshape(-1, width)).reshape(
-            -1, frames.shape[1]
-        )
+        count, width = frames.shape
+        means = self.vertex_means @ frames.reshape(count // 3, 3 * width)
+        return np.asarray(means).reshape(3 * len(self.coarse.vertices), width)
 
     def carry(self, rows: FloatArray) -> FloatArray:
         """E rows, (n, j), for a change of the coarse U or a basis, (c + 3k, j)."""
@@ -114,9 +113,9 @@ class Carrier:
     def gather(self, values: FloatArray) -> FloatArray:
         """E' values, (c + 3k, j), for values (n, j) at the fine vertices."""
         frames = self._arms.T @ values
-        width = 3 * values.shape[1]
-        faces = self.vertex_means.T @ frames.reshape(-1, width)
-        return np.concatenate([self.weights.T @ values, faces.reshape(-1, values.shape[1])])
+        count, width = frames.shape
+        faces = np.asarray(self.vertex_means.T @ frames.reshape(count // 3, 3 * width))
+        return np.concatenate([self.weights.T @ values, faces.reshape(-1, width)])
 
     def mean(self, values: FloatArray) -> FloatArray:
         """(c,) the mean of values (n,) over the cell of each coarse vertex."""

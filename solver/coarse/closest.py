@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import igl
 import numpy as np
 
@@ -25,7 +27,12 @@ class NearbySurface:
         self._around = np.argsort(corners, kind="stable") // 3
         self._degree = np.bincount(corners, minlength=len(vertices))
         self._first = np.cumsum(self._degree) - self._degree
-        self._edges = Topology(faces, len(vertices)).edges
+
+    @cached_property
+    def _edge_keys(self) -> IntArray:
+        """(e,) a number for each edge, in rising order."""
+        edges = Topology(self._faces, len(self._vertices)).edges
+        return edges[:, 0] * len(self._vertices) + edges[:, 1]
 
     def closest(self, points: FloatArray, near: IntArray) -> tuple[IntArray, FloatArray]:
         """The triangle (k,) closest to each point (k, 3), and barycentric weights (k, 3) there.
@@ -39,10 +46,15 @@ class NearbySurface:
         face[far] = self._walked(points[far], near[far])
         return face, nearest_in_triangles(points, P[F[face]])[0]
 
+    def closest_of_few(self, points: FloatArray, near: IntArray) -> tuple[IntArray, FloatArray]:
+        """As `closest`, without a tree over all triangles: for few points on a large surface."""
+        face = self._walked(points, near)
+        return face, nearest_in_triangles(points, self._vertices[self._faces[face]])[0]
+
     def _beside(self, near: IntArray, face: IntArray) -> BoolArray:
         """(k,) whether each triangle has a corner that is the vertex `near` or its neighbour."""
         count = len(self._vertices)
-        keys = self._edges[:, 0] * count + self._edges[:, 1]
+        keys = self._edge_keys
         beside = np.zeros(len(near), dtype=bool)
         for corner in self._faces[face].T:
             key = np.minimum(near, corner) * count + np.maximum(near, corner)

@@ -59,4 +59,4 @@ class Held:
         moved = np.flatnonzero(self.group[border.held] > 0)
         handle = self.group[border.held[moved]] - 1
         goals[moved, handle, :3], goals[moved, handle, 3] = points[moved], 1.0
-        return goals.reshape(len(points), -1)
+        return goals.reshape(len(points), 4 * handle_count)

@@ -22,6 +22,8 @@ ROUGHNESS = 0.1
 GROWTH = 4.0
 # The count of triangles that belongs to a count of vertices is found in a few steps.
 ATTEMPTS = 6
+# A simplified piece that lost more than the rest to flaps is taken as it was.
+MOST = 0.9
 # Neighbours count as folded where the cosine between their normals is below.
 FOLDED = -0.2
 # The package keeps its mesh in variables of its own.
@@ -41,24 +43,27 @@ class Simplification:
     cell: IntArray
 
 
-def simplify(V: FloatArray, F: IntArray, count: int) -> Simplification:
-    """The surface (n, 3), (m, 3) with at most `count` vertices, where its pieces allow that.
+def simplify(V: FloatArray, topology: Topology, count: int) -> Simplification:
+    """The surface with vertices V (n, 3) and at most `count` of them, where its pieces allow that.
 
     Each connected piece is simplified by itself, so that none is lost or joined to another, to
     its share of the vertices but not below SMALLEST_PIECE. Boundaries are kept.
     """
-    component = Topology(F, len(V)).vertex_component
-    size = np.bincount(component[np.unique(F)], minlength=component.max() + 1)
+    F, component = topology.faces, topology.vertex_component
+    used = np.bincount(F.ravel(), minlength=len(V)) > 0
+    size = np.bincount(component[used], minlength=component.max() + 1)
     order = np.argsort(component[F[:, 0]], kind="stable")
     pieces = np.split(F[order], np.cumsum(np.bincount(component[F[:, 0]], minlength=len(size))))
     cell = np.full(len(V), -1)
+    number = np.empty(len(V), dtype=np.int64)
     vertices, faces, total = [], [], 0
     for piece, allowed in zip(pieces[:-1], _shares(size, count), strict=True):
         if len(piece) == 0:
             continue
-        used, local = np.unique(piece, return_inverse=True)
-        P, T, own = _simplified_piece(V[used], local.reshape(-1, 3), int(allowed))
-        cell[used] = own + total
+        own = np.flatnonzero(np.bincount(piece.ravel(), minlength=1))
+        number[own] = np.arange(len(own))
+        P, T, goes = _simplified_piece(V[own], number[piece], int(allowed))
+        cell[own] = goes + total
         vertices.append(P)
         faces.append(T + total)
         total += len(P)
@@ -87,16 +92,34 @@ def _simplified_piece(
     same = V, F, np.arange(len(V))
     if count >= len(V):
         return same
-    P, T, cell = _collapsed(_roughened(V, F), F, count)
-    if len(T) == 0 or not _whole(P, T, cell):
+    topology = Topology(F, len(V))
+    P, T, cell = _collapsed(_roughened(V, topology), F, count)
+    part = _largest_part(P, T, cell) if len(T) else None
+    if part is None:
         return same
-    return _placed(V, F, T, cell), T, cell
+    P, T, cell = part
+    return _placed(V, topology, T, cell), T, cell
 
 
-def _whole(P: FloatArray, T: IntArray, cell: IntArray) -> bool:
-    """Whether it is still one piece, every vertex of which stands for some."""
-    one = Topology(T, len(P)).vertex_component.max() == 0
-    return bool(one and np.bincount(cell, minlength=len(P)).all())
+def _largest_part(
+    P: FloatArray, T: IntArray, cell: IntArray
+) -> tuple[FloatArray, IntArray, IntArray] | None:
+    """Without the flaps that came off at edges of more than two triangles; None if much did.
+
+    What went there goes to the nearest vertex of what is left.
+    """
+    part = Topology(T, len(P)).vertex_component
+    kept = np.flatnonzero(part == np.bincount(part).argmax())
+    if len(kept) < MOST * len(P):
+        return None
+    number = np.full(len(P), -1)
+    number[kept] = np.arange(len(kept))
+    lost = np.flatnonzero(number < 0)
+    if len(lost):
+        number[lost] = cKDTree(P[kept]).query(P[lost])[1]
+        T = T[part[T[:, 0]] == part[kept[0]]]
+    cell = number[cell]
+    return (P[kept], number[T], cell) if np.bincount(cell, minlength=len(kept)).all() else None
 
 
 def _collapsed(R: FloatArray, F: IntArray, count: int) -> tuple[FloatArray, IntArray, IntArray]:
@@ -136,15 +159,16 @@ def _scale(V: FloatArray) -> float:
     return float(np.linalg.norm(np.ptp(V, axis=0))) or 1.0
 
 
-def _roughened(V: FloatArray, F: IntArray) -> FloatArray:
+def _roughened(V: FloatArray, topology: Topology) -> FloatArray:
     """V, at a size of 1, displaced along its normals by random shares of the edges around."""
-    edges = Topology(F, len(V)).edges
+    F, edges = topology.faces, topology.edges
     lengths = np.linalg.norm(V[edges[:, 1]] - V[edges[:, 0]], axis=1)
     total = np.bincount(edges.ravel(), np.repeat(lengths, 2), len(V))
     around = total / np.bincount(edges.ravel(), minlength=len(V))
     normals = np.zeros_like(V)
+    of_faces = _normals(V, F)
     for corner in F.T:
-        for axis, values in enumerate(_normals(V, F).T):
+        for axis, values in enumerate(of_faces.T):
             normals[:, axis] += np.bincount(corner, values, len(V))
     normals /= np.maximum(np.linalg.norm(normals, axis=1), np.finfo(float).tiny)[:, None]
     push = ROUGHNESS * around * np.random.default_rng(0).uniform(-1.0, 1.0, len(V))
@@ -157,27 +181,26 @@ def _normals(V: FloatArray, F: IntArray) -> FloatArray:
     return np.cross(b - a, c - a)
 
 
-def _placed(V: FloatArray, F: IntArray, T: IntArray, cell: IntArray) -> FloatArray:
+def _placed(V: FloatArray, topology: Topology, T: IntArray, cell: IntArray) -> FloatArray:
     """(c, 3): each coarse vertex on the fine surface, in the middle of its cell.
 
     The middle of its boundary, if the cell has some; a member of the cell where triangles would
     fold.
     """
-    middle = _means(V, _placing_weights(V, F, cell), cell)
+    middle = _means(V, _placing_weights(V, topology, cell), cell)
     distance = ((V - middle[cell]) ** 2).sum(axis=1)
     order = np.lexsort((distance, cell))
-    member = order[np.unique(cell[order], return_index=True)[1]]
-    surface = NearbySurface(V, F)
-    face, weights = surface.closest(middle, member)
-    placed = np.einsum("ij,ijk->ik", weights, V[F[face]])
+    member = order[np.searchsorted(cell[order], np.arange(len(middle)))]
+    face, weights = NearbySurface(V, topology.faces).closest_of_few(middle, member)
+    placed = np.einsum("ij,ijk->ik", weights, V[topology.faces[face]])
     folded = _folded(placed, T)
     placed[folded] = V[member[folded]]
     return placed
 
 
-def _placing_weights(V: FloatArray, F: IntArray, cell: IntArray) -> FloatArray:
+def _placing_weights(V: FloatArray, topology: Topology, cell: IntArray) -> FloatArray:
     """(n,) areas around vertices; in a cell with a part of the boundary, that of the rest is 0."""
-    topology = Topology(F, len(V))
+    F = topology.faces
     area = np.repeat(np.linalg.norm(_normals(V, F), axis=1), 3)
     weights = np.bincount(F.ravel(), area, len(V)) + np.finfo(float).tiny
     border = np.zeros(len(V), dtype=bool)
