@@ -23,9 +23,9 @@ from solver.linear.binding import Binding, bind, gains_of
 from solver.linear.drag_model import DragModel, Transforms
 from solver.linear.grab import as_grab_weights
 from solver.linear.rest_surface import RestSurface
-from solver.setup import FIXED, FREE, Setup
+from solver.setup import FREE, Setup
 from solver.surface.embedding import Embedding, Identity
-from solver.types import FloatArray, IntArray
+from solver.types import FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,8 +149,16 @@ class CoarseSurface:
         change = self.coarse.displacement(transforms)[count:]
         at_corners = self.carrier.vertex_frames(change).reshape(count, 9)
         rows = np.eye(3) + (self.carrier.interpolation @ at_corners).reshape(-1, 3, 3)
-        self._set_held(rows, np.arange(len(rows)), transforms)
+        for number, T in enumerate(self._held_frames(transforms)):
+            rows[self.held.group == number] = T
         return rows[fine.faces].mean(axis=1).transpose(0, 2, 1)
+
+    def _held_frames(self, transforms: Transforms) -> list[FloatArray]:
+        """The rows of the frames that the fixed region and each handle hold, if they hold any."""
+        if not self.setup.orientation:
+            return []
+        hard = transforms[: len(self.setup.handles)]
+        return [np.eye(3), *(np.asarray(T, dtype=np.float64)[:3, :3].T for T in hard)]
 
     @property
     def _scale(self) -> float:
@@ -178,11 +186,8 @@ class CoarseSurface:
         displacement: the linear change of the coarse U.  moved: (n, 3) of the fine vertices.
         """
         fine, vertices = self.carrier.fine, self.held.structure.vertices
-        turned = self._rotations.quaternions(
-            self._coarse_rotations(displacement, transforms, level)
-        )
-        R = self._rotations.at(turned, vertices)
-        self._set_held(R, vertices, transforms)
+        means = self._rotations.means(self._coarse_rotations(displacement, transforms, level))
+        R = self._rotations.at(means, vertices)
         X = fine.points + moved * (self._scale / fine.scale)
         X = self._poisson.positions(X, R, self._poisson.moments(X))
         return self._shown((X - fine.points) * (fine.scale / self._scale))
@@ -199,16 +204,6 @@ class CoarseSurface:
         R[still] = nearest_rotations(R[still])
         R[active] = self.coarse.refined(displacement, transforms, level).rotations
         return R
-
-    def _set_held(self, rows: FloatArray, vertices: IntArray, transforms: Transforms) -> None:
-        """Where handles hold frames, `rows` (v, 3, 3) of the vertices (v,) become theirs."""
-        if not self.setup.orientation:
-            return
-        group = self.held.group[vertices]
-        rows[group == FIXED] = np.eye(3)
-        for number in range(len(self.setup.handles)):
-            A = np.asarray(transforms[number], dtype=np.float64)[:3, :3]
-            rows[group == 1 + number] = A.T
 
     def _shown(self, displacement: FloatArray) -> FloatArray:
         """World positions (n', 3); a zero displacement gives rest positions to the last bit."""

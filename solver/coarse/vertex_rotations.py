@@ -43,16 +43,15 @@ class VertexRotations:
         smooth = sp.diags_array(area) + 0.5 * SMOOTHED**2 * float(np.median(squared)) * L
         return area, factorize(sp.csr_array(smooth))
 
-    def quaternions(self, rows: FloatArray) -> FloatArray:
-        """(c, 4) at coarse vertices, from rows (k, 3, 3) of each triangle's R'."""
+    def means(self, rows: FloatArray) -> FloatArray:
+        """Rows (c, 3, 3) at coarse vertices, smoothed, from rows (k, 3, 3) of each triangle's R'."""
         mean = self._carrier.vertex_frames(rows.reshape(-1, 3)).reshape(-1, 9)
         area, factor = self._smoothing
-        smooth = factor.solve(area[:, None] * mean)
-        nearest = nearest_rotations(smooth.reshape(-1, 3, 3))
-        return np.asarray(Rotation.from_matrix(nearest).as_quat())
+        return factor.solve(area[:, None] * mean).reshape(-1, 3, 3)
 
-    def at(self, quaternions: FloatArray, vertices: IntArray) -> FloatArray:
-        """Rows (j, 3, 3) of R' at some fine vertices."""
+    def at(self, means: FloatArray, vertices: IntArray) -> FloatArray:
+        """Rows (j, 3, 3) of R' at some fine vertices, from `means` at the coarse ones."""
+        quaternions = Rotation.from_matrix(nearest_rotations(means)).as_quat()
         corners = self._carrier.corners[vertices]
         weights = self._carrier.barycentric[vertices]
         first, *others = (quaternions[corner] for corner in corners.T)

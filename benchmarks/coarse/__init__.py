@@ -1,0 +1,1 @@
+"""Coarse frames against the exact solution: the measurements of docs/coarse.md."""
