@@ -187,6 +187,8 @@ class CoarseSurface:
         """
         fine, vertices = self.carrier.fine, self.held.structure.vertices
         means = self._rotations.means(self._coarse_rotations(displacement, transforms, level))
+        for number, T in enumerate(self._held_frames(transforms)):
+            means[self.held.coarse_group == number] = T
         R = self._rotations.at(means, vertices)
         X = fine.points + moved * (self._scale / fine.scale)
         X = self._poisson.positions(X, R, self._poisson.moments(X))

@@ -14,15 +14,15 @@ from solver.geometry.laplacian import cotangent_laplacian
 from solver.geometry.rotations import nearest_rotations
 from solver.types import FloatArray, IntArray
 
-# Rotations are smoothed over this many coarse edges: less shows the coarse triangles.
-SMOOTHED = 1.0
+# Rotations are smoothed over this share of a coarse edge: more rounds off where handles begin.
+SMOOTHED = 0.5
 
 
 class VertexRotations:
     """Carries rotations of coarse triangles to fine vertices.
 
     Coarse vertices take the mean of their triangles, smoothed by one implicit step of diffusion
-    over about an edge; between them quaternions are interpolated.
+    over half an edge; between them quaternions are interpolated.
     """
 
     def __init__(self, carrier: Carrier) -> None:
@@ -44,7 +44,7 @@ class VertexRotations:
         return area, factorize(sp.csr_array(smooth))
 
     def means(self, rows: FloatArray) -> FloatArray:
-        """Rows (c, 3, 3) at coarse vertices, smoothed, from rows (k, 3, 3) of each triangle's R'."""
+        """Rows (c, 3, 3) at coarse vertices, smoothed, from rows (k, 3, 3) of triangles' R'."""
         mean = self._carrier.vertex_frames(rows.reshape(-1, 3)).reshape(-1, 9)
         area, factor = self._smoothing
         return factor.solve(area[:, None] * mean).reshape(-1, 3, 3)
