@@ -111,10 +111,10 @@ class _Reader:
 
     def groups(self) -> Groups:
         """Triangles by the node that shows them."""
-        nodes = list(dict.fromkeys(part.node for part in self.parts))
+        places: dict[int, int] = {}
+        numbers = [places.setdefault(part.node, len(places)) for part in self.parts]
         sizes = [sum(s.stop - s.start for s in part.triangles) for part in self.parts]
-        number = [nodes.index(part.node) for part in self.parts]
-        return Groups(tuple(map(self._node_name, nodes)), np.repeat(number, sizes))
+        return Groups(tuple(map(self._node_name, places)), np.repeat(numbers, sizes))
 
     def _add_part(self, node: int, mesh: int, position: int, primitives: list[int]) -> None:
         gltf = self.gltf

@@ -12,6 +12,8 @@ from solver.mesh.formats.gltf.saving.edit import Edit
 from solver.mesh.formats.gltf.schema import Json
 from solver.mesh.formats.gltf.uris import data_uri, is_data, read_uri
 
+# The header has 32 bits for the length.
+LARGEST = 2**32 - 1
 _IMAGES = {".ktx2": "image/ktx2", ".dds": "image/vnd-ms.dds", ".webp": "image/webp"}
 
 
@@ -51,7 +53,7 @@ def to_glb(gltf: Gltf, keeps_names: bool) -> bytes:
         root["buffers"] = [first, *others]
     text = json.dumps(root, separators=(",", ":")).encode()
     body = _chunk(JSON_CHUNK, text, b" ") + binary + gltf.chunks
-    if len(body) + 12 >= 2**32:
+    if len(body) + 12 > LARGEST:
         raise MeshError(f"{len(body)} bytes, expected less than 4 GiB in a GLB; save it as .gltf")
     return MAGIC + struct.pack("<II", 2, 12 + len(body)) + body
 

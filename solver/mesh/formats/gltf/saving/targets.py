@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
-import numpy as np
-
+from solver.mesh.formats.gltf.accessors import FLOAT
 from solver.mesh.formats.gltf.primitives import target_count
 from solver.mesh.formats.gltf.saving.animations import widen_weights
 from solver.mesh.formats.gltf.saving.deform import DeformedPart
@@ -38,7 +37,7 @@ def add_poses(
     before = {mesh: target_count(edit.json["meshes"][mesh]) for mesh in meshes}
     for mesh, own in chosen.items():
         if own:
-            _add_targets(edit, meshes[mesh], X, own.values())
+            _add_targets(edit, edit.json["meshes"][mesh], meshes[mesh], X, own.values())
             _name_targets(edit.json["meshes"][mesh], before[mesh], list(own))
     added = {mesh: len(own) for mesh, own in chosen.items() if own}
     _widen_defaults(edit.json, before, added)
@@ -46,33 +45,51 @@ def add_poses(
 
 
 def _add_targets(
-    edit: Edit, shapes: list[DeformedPart], X: FloatArray, poses: Collection[FloatArray]
+    edit: Edit, mesh: Json, shapes: list[DeformedPart], X: FloatArray, poses: Collection[FloatArray]
 ) -> None:
-    primitives = edit.json["meshes"][shapes[0].part.mesh]["primitives"]
+    """All primitives of a mesh have as many targets: points, lines and odd ones get still ones."""
+    primitives, before = mesh["primitives"], target_count(mesh)
+    for primitive in primitives:
+        _fill(edit, primitive, before)
     with_normals = {i for i, primitive in enumerate(primitives) if _takes_normals(primitive)}
-    before = [len(primitive.get("targets", [])) for primitive in primitives]
     for shape in shapes:
         for pose in poses:
             position = edit.append(_BOUNDED, shape.steps(X, pose))
             for i in shape.part.primitives:
                 primitives[i].setdefault("targets", []).append({"POSITION": position})
         for accessor, users in shape.users("NORMAL").items():
-            chosen = with_normals.intersection(users)
-            if not chosen:
-                continue
-            normals = shape.directions("NORMAL", accessor, X)[0]
-            for k, pose in enumerate(poses):
-                turned = shape.directions("NORMAL", accessor, pose)[0] - normals
-                number = edit.append(_OFFSETS, turned)
-                for i in chosen:
-                    primitives[i]["targets"][before[i] + k]["NORMAL"] = number
-    # All primitives of a mesh have as many targets: points and lines, too.
-    shown = {i for shape in shapes for i in shape.part.primitives}
-    for i, primitive in enumerate(primitives):
-        if i not in shown and "POSITION" in primitive["attributes"]:
-            count = edit.json["accessors"][primitive["attributes"]["POSITION"]]["count"]
-            still = edit.append(_BOUNDED, np.zeros((count, 3)))
-            primitive.setdefault("targets", []).extend({"POSITION": still} for _ in poses)
+            new = [primitives[i]["targets"][before:] for i in with_normals.intersection(users)]
+            _add_normals(edit, shape, accessor, X, zip(poses, zip(*new, strict=True), strict=False))
+    for primitive in primitives:
+        _fill(edit, primitive, before + len(poses))
+
+
+def _add_normals(
+    edit: Edit,
+    shape: DeformedPart,
+    accessor: int,
+    X: FloatArray,
+    targets: Iterable[tuple[FloatArray, Iterable[Json]]],
+) -> None:
+    """Normals from X to each pose, in the targets of it."""
+    normals = shape.directions("NORMAL", accessor, X)[0]
+    for pose, own in targets:
+        turned = shape.directions("NORMAL", accessor, pose)[0] - normals
+        number = edit.append(_OFFSETS, turned)
+        for target in own:
+            target["NORMAL"] = number
+
+
+def _fill(edit: Edit, primitive: Json, size: int) -> None:
+    """Targets that move nothing, up to so many; an accessor without data is all zeros."""
+    missing = size - len(primitive.get("targets", []))
+    if missing > 0 and "POSITION" in primitive["attributes"]:
+        accessors = edit.json["accessors"]
+        count = accessors[primitive["attributes"]["POSITION"]]["count"]
+        still = {"POSITION": len(accessors)}
+        bounds = {"min": [0, 0, 0], "max": [0, 0, 0]}
+        accessors.append({"componentType": FLOAT, "count": count, "type": "VEC3"} | bounds)
+        primitive.setdefault("targets", []).extend(dict(still) for _ in range(missing))
 
 
 def _takes_normals(primitive: Json) -> bool:

@@ -6,6 +6,7 @@ import base64
 import json
 import struct
 from pathlib import Path
+from urllib.parse import quote_from_bytes
 
 import numpy as np
 import pytest
@@ -76,6 +77,14 @@ def test_more_buffers_than_one_come_along(tmp_path: Path) -> None:
         X = bent(mesh.vertices)
         mesh.save(tmp_path / name, X)
         np.testing.assert_allclose(load_mesh(tmp_path / name).vertices, X, atol=1e-6)
+
+
+def test_data_inside_need_not_be_base64(tmp_path: Path) -> None:
+    scene, _ = strip()
+    uri = "data:application/octet-stream," + quote_from_bytes(scene.data)
+    scene.json["buffers"] = [{"byteLength": len(scene.data), "uri": uri}]
+    (tmp_path / "a.gltf").write_text(json.dumps(scene.json))
+    assert load_mesh(tmp_path / "a.gltf").vertices.tolist() == P.tolist()
 
 
 def test_chunks_that_nobody_knows_stay(tmp_path: Path) -> None:

@@ -148,16 +148,48 @@ def test_targets_without_names_are_numbered(tmp_path: Path) -> None:
     assert root["meshes"][0]["extras"] == {"extras": "not an object", "targetNames": names}
 
 
-def test_points_of_a_mesh_get_as_many_targets(tmp_path: Path) -> None:
-    scene, _ = strip()
+def test_all_primitives_of_a_mesh_get_as_many_targets(tmp_path: Path) -> None:
+    scene, primitive = strip()
     points = {"mode": 0, "attributes": {"POSITION": scene.positions(P[:2])}}
-    scene.json["meshes"][0]["primitives"].append(points)
+    odd = {"attributes": {"POSITION": scene.positions(P[:3])}}
+    scene.json["meshes"][0]["primitives"] += [points, odd]
+    primitive["targets"] = [{"POSITION": scene.positions(P)}]
     mesh = scene.load(tmp_path)
-    mesh.save(tmp_path / "out.glb", P, poses={"a": P + 1, "b": P + 2})
+    X = mesh.vertices + 1
+    mesh.save(tmp_path / "out.glb", mesh.vertices, poses={"a": X, "b": X + 1})
     root, _ = unpack(tmp_path / "out.glb")
-    targets = root["meshes"][0]["primitives"][1]["targets"]
-    assert len(targets) == 2
-    assert not values(tmp_path / "out.glb", targets[0]["POSITION"]).any()
+    _, still, last = (entry["targets"] for entry in root["meshes"][0]["primitives"])
+    assert len(still) == len(last) == 3
+    for target in (*still, last[0]):
+        accessor = root["accessors"][target["POSITION"]]
+        # Without data, an accessor is all zeros.
+        assert "bufferView" not in accessor
+        assert accessor["min"] == accessor["max"] == [0, 0, 0]
+    np.testing.assert_allclose(shown(tmp_path / "out.glb", "a"), X, atol=1e-6)
+
+
+@pytest.mark.parametrize("pointer", ["/meshes/0/weights", "/nodes/0/weights"])
+def test_weights_that_a_pointer_animates_stay_what_they_were(tmp_path: Path, pointer: str) -> None:
+    scene, _ = morphed()
+    (channel,) = scene.json["animations"][0]["channels"]
+    extension = {"KHR_animation_pointer": {"pointer": pointer}}
+    channel["target"] = {"path": "pointer", "extensions": extension}
+    mesh = scene.load(tmp_path)
+    mesh.save(tmp_path / "out.glb", mesh.vertices, poses={"a": mesh.vertices + 1})
+    root, _ = unpack(tmp_path / "out.glb")
+    (sampler,) = root["animations"][0]["samplers"]
+    assert root["accessors"][sampler["output"]]["count"] == 9
+
+
+@pytest.mark.parametrize("count", [5, 2**40])
+def test_an_animation_that_makes_no_sense_stays(tmp_path: Path, count: int) -> None:
+    scene, _ = morphed()
+    (sampler,) = scene.json["animations"][0]["samplers"]
+    scene.json["accessors"][sampler["output"]]["count"] = count
+    mesh = scene.load(tmp_path)
+    mesh.save(tmp_path / "out.glb", mesh.vertices, poses={"a": mesh.vertices + 1})
+    root, _ = unpack(tmp_path / "out.glb")
+    assert root["animations"] == scene.json["animations"]
 
 
 def test_a_pose_that_moves_nothing_keeps_its_name(tmp_path: Path) -> None:

@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 from solver.errors import MeshError
+from solver.mesh.formats.gltf.saving import pack
+from solver.mesh.mesh import Mesh
 from tests.solver.mesh.formats.files import check_damage, check_refusal
 from tests.solver.mesh.formats.gltf.scenes import P, skinned, strip
 
@@ -42,6 +44,8 @@ PRIMITIVE, VIEW, ACCESSOR = "meshes.0.primitives.0", "bufferViews.0", "accessors
             "POSITION: expected the number of one of 2",
         ),
         (f"{PRIMITIVE}.indices", 0, "accessor 0: expected type SCALAR, got 'VEC3'"),
+        (f"{PRIMITIVE}.attributes", [], "attributes: expected an object, got a list"),
+        ("accessors.1.componentType", 5126, "accessor 1: expected whole numbers, got floats"),
         (f"{ACCESSOR}.type", "VEC2", "accessor 0: expected type VEC3, got 'VEC2'"),
         (f"{ACCESSOR}.componentType", 5124, "accessor 0: unknown component type 5124"),
         (f"{ACCESSOR}.count", 7, "accessor 0: ends at byte 84 of buffer view 0, which has 72"),
@@ -91,6 +95,7 @@ def test_what_is_no_gltf_is_refused(tmp_path: Path, data: bytes, words: str) -> 
     ("uri", "words"),
     [
         ("lost.bin", "buffer 0: there is no file 'lost.bin' beside it"),
+        ("a" * 300, "cannot be read"),
         (".", "buffer 0: there is no file '.' beside it"),
         ("/dev/zero", "is not a path relative to the file"),
         ("https://example.com/a.bin", "is not a path relative to the file"),
@@ -169,6 +174,14 @@ def test_a_short_file_cannot_ask_for_all_memory(tmp_path: Path) -> None:
 
 def test_damaged_files_load_or_are_refused(tmp_path: Path) -> None:
     check_damage(tmp_path / "a.glb", strip(NORMAL=P + 1)[0].glb())
+
+
+def test_a_glb_of_more_than_four_gigabytes_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(pack, "LARGEST", 100)
+    with pytest.raises(MeshError, match="bytes, expected less than 4 GiB in a GLB"):
+        Mesh.from_arrays(P, [[0, 1, 2]]).save(tmp_path / "out.glb", P)
 
 
 def test_positions_beyond_float32_are_refused(tmp_path: Path) -> None:
