@@ -33,6 +33,11 @@ def take_in_images(edit: Edit) -> None:
         image |= {"bufferView": edit.append_bytes(data), "mimeType": mime}
 
 
+def has_all_buffers(gltf: Gltf) -> bool:
+    """Whether no buffer is a file beside it."""
+    return all(is_data(buffer.get("uri", "data:")) for buffer in gltf.entries("buffers"))
+
+
 def to_gltf(gltf: Gltf, keeps_names: bool) -> bytes:
     """JSON with every buffer in it; keeps_names: but those that it names beside it."""
     root = dict(gltf.json)

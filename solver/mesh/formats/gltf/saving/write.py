@@ -9,7 +9,7 @@ from solver.mesh.formats.format import DeformedSurface
 from solver.mesh.formats.gltf.read import GltfSource
 from solver.mesh.formats.gltf.saving.deform import DeformedPart, deform
 from solver.mesh.formats.gltf.saving.edit import Edit
-from solver.mesh.formats.gltf.saving.pack import take_in_images, to_glb, to_gltf
+from solver.mesh.formats.gltf.saving.pack import has_all_buffers, take_in_images, to_glb, to_gltf
 from solver.mesh.formats.gltf.saving.plain import plain_source
 from solver.mesh.formats.gltf.saving.targets import add_poses
 
@@ -41,10 +41,11 @@ def _write(surface: DeformedSurface, binary: bool) -> bytes:
     for shape in shapes:
         deform(edit, shape, surface.rest, X)
     add_poses(edit, shapes, X, surface.poses)
-    beside = binary == gltf.is_binary and Path(surface.path).resolve().parent == gltf.folder
+    same_container = binary == gltf.is_binary
+    beside = same_container and Path(surface.path).resolve().parent == gltf.folder
     if not beside:
         take_in_images(edit)
-    if beside and not edit.changed and gltf.data:
+    if gltf.data and same_container and not edit.changed and (beside or has_all_buffers(gltf)):
         return gltf.data
     finished = edit.finished()
     return to_glb(finished, beside) if binary else to_gltf(finished, beside)

@@ -26,6 +26,7 @@ def changed(where: str, value: Any) -> bytes:
     return scene.gltf()
 
 
+FLOATS = {"bufferView": 0, "componentType": 5126, "count": 3, "type": "SCALAR"}
 PRIMITIVE, VIEW, ACCESSOR = "meshes.0.primitives.0", "bufferViews.0", "accessors.0"
 
 
@@ -45,7 +46,7 @@ PRIMITIVE, VIEW, ACCESSOR = "meshes.0.primitives.0", "bufferViews.0", "accessors
         ),
         (f"{PRIMITIVE}.indices", 0, "accessor 0: expected type SCALAR, got 'VEC3'"),
         (f"{PRIMITIVE}.attributes", [], "attributes: expected an object, got a list"),
-        ("accessors.1.componentType", 5126, "accessor 1: expected whole numbers, got floats"),
+        ("accessors.1", FLOATS, "accessor 1: expected whole numbers, got floats"),
         (f"{ACCESSOR}.type", "VEC2", "accessor 0: expected type VEC3, got 'VEC2'"),
         (f"{ACCESSOR}.componentType", 5124, "accessor 0: unknown component type 5124"),
         (f"{ACCESSOR}.count", 7, "accessor 0: ends at byte 84 of buffer view 0, which has 72"),
