@@ -18,7 +18,8 @@ COMMAND = "surface-deformation"
 PROGRAM = COMMAND if Path(sys.argv[0]).stem == COMMAND else "python -m app"
 WINDOW_HELP = """\
 other commands (each has --help):
-  deform MESH --session FILE -o OUT [--rigid K]   pose a mesh as a session says; no window
+  deform MESH --session FILE -o OUT [--rigid K] [--exact]
+                                                  pose a mesh as a session says; no window
   info MESH                                       what a mesh is and what is wrong with it
   demo -o DIR                                     paint, fold and save, by itself
   figures -o DIR                                  the paper's figures"""
@@ -72,10 +73,13 @@ def _deform(arguments: Sequence[str]) -> None:
     parser.add_argument("--session", type=Path, metavar="FILE", required=True)
     parser.add_argument("-o", "--output", type=Path, metavar="OUT", required=True)
     parser.add_argument("--rigid", type=_level, metavar="K", help="in place of the session's level")
+    parser.add_argument(
+        "--exact", action="store_true", help="large meshes too: frames for every triangle"
+    )
     options = parser.parse_args(arguments)
     from app.headless import deform
 
-    deform(options.mesh, options.session, options.output, options.rigid)
+    deform(options.mesh, options.session, options.output, options.rigid, options.exact)
 
 
 def _info(arguments: Sequence[str]) -> None:

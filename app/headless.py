@@ -15,11 +15,16 @@ POLYGON_NAMES = {3: "triangles", 4: "quads"}
 USUAL_EXTRAS = ("texture coordinates", "normals", "groups")
 
 
-def deform(mesh: Path, session: Path, output: Path, rigid: int | None) -> None:
-    """Pose `mesh` as `session` says, at level `rigid` if given, and save it. Raises SolverError."""
+def deform(mesh: Path, session: Path, output: Path, rigid: int | None, exact: bool) -> None:
+    """Pose `mesh` as `session` says, at level `rigid` if given, and save it. Raises SolverError.
+
+    exact: without a coarse mesh for the frames, however large the mesh is.
+    """
     document = load_document(mesh, session)
     if rigid is not None:
         document.change("rigid", rigid)
+    if exact:
+        document.change("coarse", False)
     document.mesh.save(output, posed(document))
 
 

@@ -15,14 +15,14 @@ from typing import Any
 import numpy as np
 
 from app.model.handles import FIRST_HANDLE, FIXED, Handle, Pose
-from app.model.settings import SETTINGS
+from app.model.settings import SETTINGS, coarse_count
 from solver import Setup
 from solver.mesh.mesh import Mesh
 from solver.softness.material import Material
 from solver.types import BoolArray, FloatArray, IntArray
 
 FIELDS = ("role", "handles", "pose", "softness", "pinned", "material", *SETTINGS)
-BIND_FIELDS = ("role", "softness", "material", "bending_length", "orientation", "attach")
+BIND_FIELDS = ("role", "softness", "material", "bending_length", "orientation", "attach", "coarse")
 
 # One clock for all documents: a revision never comes back, not even after opening another mesh.
 clock = itertools.count(1)
@@ -45,7 +45,7 @@ class Document:
     pose: where they are.
     softness: (n,) in [0, 1].  pinned: (n,) whose softness a fill keeps; no session holds it.
     material: a preset's name or a Material.
-    bending_length, orientation, rigid, attach: the solver's settings (SETTINGS).
+    bending_length, orientation, rigid, attach, coarse: the solver's settings (SETTINGS).
     revision: for each field a number that grows whenever the field changes.
     """
 
@@ -64,6 +64,7 @@ class Document:
         self.orientation: bool = SETTINGS["orientation"].default
         self.rigid: int = SETTINGS["rigid"].default
         self.attach: bool | list[int] = SETTINGS["attach"].default
+        self.coarse: bool | int = SETTINGS["coarse"].default
         self.revision = {name: next(clock) for name in FIELDS}
 
     def change(self, field: str, value: Any, index: IntArray | None = None) -> Edit:
@@ -130,7 +131,13 @@ class Document:
             bending_length=self.bending_length,
             orientation=self.orientation,
             attach=self.attach,
+            coarse=self.coarse_count,
         )
+
+    @property
+    def coarse_count(self) -> int | None:
+        """How many vertices frames are solved on, None for all of them."""
+        return coarse_count(self.coarse, len(self.mesh.vertices))
 
     def follows(self, piece: int) -> bool:
         """Whether a piece of the mesh follows the larger one that it is near."""

@@ -39,6 +39,23 @@ def is_attach(value: Any) -> bool:
     return isinstance(value, list) and all(type(v) is int and v >= 0 for v in value)
 
 
+# Above so many vertices frames are solved on a coarse mesh of so many, unless a person says other
+# things: below, the exact solution binds in less than half a second. [docs/coarse.md]
+LARGE, COARSE = 20_000, 5_000
+
+
+def is_coarse(value: Any) -> bool:
+    """True for what the size of the mesh suggests, False for exact, or a number of vertices."""
+    return isinstance(value, bool) or (type(value) is int and value > 0)
+
+
+def coarse_count(value: bool | int, vertex_count: int) -> int | None:
+    """How many vertices frames are solved on, None for all."""
+    if isinstance(value, bool):
+        return COARSE if value and vertex_count > LARGE else None
+    return value
+
+
 SETTINGS: Mapping[str, Setting] = MappingProxyType(
     {
         "bending_length": Setting(0.01, lambda v: is_number(v) and v > 0, "a positive number"),
@@ -46,6 +63,9 @@ SETTINGS: Mapping[str, Setting] = MappingProxyType(
         "rigid": Setting(1, lambda v: type(v) is int and v >= 0, "an integer, 0 or more"),
         "attach": Setting(
             True, is_attach, "true, false or a list of the pieces that follow", written=False
+        ),
+        "coarse": Setting(
+            True, is_coarse, "true, false or a number of vertices, 1 or more", written=False
         ),
     }
 )

@@ -15,7 +15,7 @@ def preparation(document: Document) -> BindRequest:
         keys=(),
         vertices=document.mesh.vertices,
         faces=document.mesh.faces,
-        setup=Setup(),
+        setup=Setup(coarse=document.coarse_count),
         rigid=0,
         transforms=document.pose.stacked(()),
     )

@@ -6,6 +6,7 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
+from app.model.settings import LARGE
 from app.window.panel.widgets import (
     BUSY_COLOR,
     BUTTON_COLUMN,
@@ -74,6 +75,12 @@ def pose(editor: Editor, asked: list[c.Command]) -> None:
     )
     if moved:
         asked.append(c.SetSetting("rigid", rigid))
+    if len(document.role) > LARGE:
+        psim.SameLine()
+        changed, exact = psim.Checkbox("exact", document.coarse_count is None)
+        psim.SetItemTooltip("Frames on every triangle: slower, hardly better")
+        if changed:
+            asked.append(c.SetSetting("coarse", not exact))
     if psim.Button("Reset pose (R)"):
         asked.append(c.ResetPose())
     psim.SameLine()

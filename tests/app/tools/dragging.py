@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.worker.client import Worker
-from app.worker.inline import InlineWorker
+from tests.app.inline import InlineWorker
 from app.worker.requests import Refined, RefineRequest, Request, Result
 from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import moved

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from app.worker.client import ProcessWorker
-from app.worker.inline import InlineWorker
+from tests.app.inline import InlineWorker
 from app.worker.requests import (
     Failure,
     Refined,

@@ -10,7 +10,7 @@ from app.editor.editor import Editor
 from app.editor.file_actions import load_document
 from app.editor.softness_warnings import STEEP, WEAK
 from app.model.handles import FIXED
-from app.worker.inline import InlineWorker
+from tests.app.inline import InlineWorker
 from solver import Material
 from tests.app.person import Person, slab
 

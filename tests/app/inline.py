@@ -1,4 +1,4 @@
-"""A worker without a process, for tests and for scripts that nobody watches."""
+"""A worker without a process, for tests: nobody waits for a frame there."""
 
 from __future__ import annotations
 
