@@ -43,6 +43,9 @@ class BoundSurface:
         rest = RestSurface(embedding.vertices, embedding.topology)
         return BoundSurface(embedding, setup, bind(rest, embedding.setup(setup)))
 
+    def prepare(self) -> None:
+        """See Deformer.prepare: the bind has found all there is."""
+
     def rebound(self, setup: Setup) -> BoundSurface:
         """Bound to another setup, sharing what is the same; grabs keep their weights."""
         binding = bind(self.rest, self.embedding.setup(setup), self.binding)

@@ -50,6 +50,10 @@ class CoarseSurface:
         held = Held(carrier, embedding.setup(setup))
         return CoarseSurface(embedding, setup, carrier, held, _coarse(carrier, held))
 
+    def prepare(self) -> None:
+        """See Deformer.prepare."""
+        self.carrier.prepare()
+
     def rebound(self, setup: Setup) -> CoarseSurface:
         """Bound to another setup, sharing what is the same; grabs keep their weights."""
         fine = self.embedding.setup(setup)

@@ -174,6 +174,15 @@ class Deformer:
         """
         return _deformer(rebind_surface(self._bound, setup))
 
+    def prepare(self) -> None:
+        """Find now what belongs to the mesh alone and is otherwise found when it is first needed.
+
+        It serves all Deformers that are rebound from this one: for a mesh that was just opened.
+
+        >>> deformer.prepare()
+        """
+        self._bound.prepare()
+
     def grab(self, weights: ArrayLike) -> Deformer:
         """A new Deformer with one more, soft, handle: the region where `weights` (n,) > 0.
 

@@ -25,6 +25,8 @@ def bind(request: BindRequest, last: Last | None = None) -> Deformer:
         deformer = Deformer.of(request.vertices, request.faces, request.setup)
     else:
         deformer = last[1].rebound(request.setup)
+    if not request.keys:  # nothing to pose: a mesh was opened
+        deformer.prepare()
     # What the first pose of a level prepares belongs to the bind, not to the first drag frame.
     deformer.pose([np.eye(4)] * len(request.keys), rigid=request.rigid)
     return deformer

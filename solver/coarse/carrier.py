@@ -47,6 +47,10 @@ class Carrier:
         self.corners[used], self.barycentric[used] = simple.faces[face], barycentric
         self.coarse = _coarse_rest(fine, simple, surface)
 
+    def prepare(self) -> None:
+        """Find now what is otherwise found when it is first needed."""
+        _ = self.weights, self._arms, self.vertex_means, self.elimination_order
+
     @cached_property
     def elimination_order(self) -> IntArray | None:
         """(n,) an order of the fine vertices that keeps factors sparse, see RestSurface."""

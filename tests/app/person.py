@@ -12,12 +12,12 @@ from app.editor.commands import Command, SetBrush, SetTool
 from app.editor.editor import Editor
 from app.model.document import Document
 from app.worker.client import Worker
-from tests.app.inline import InlineWorker
 from app.worker.requests import Request
 from app.workspace.camera import FIELD_OF_VIEW, Camera
 from app.workspace.events import Input
 from solver import Mesh
 from solver.types import FloatArray, IntArray
+from tests.app.inline import InlineWorker
 from tests.solver import shapes
 
 

@@ -124,3 +124,15 @@ def test_help_is_no_error(capsys: pytest.CaptureFixture[str]) -> None:
             main(words)
         assert end.value.code == 0
         assert capsys.readouterr().out.startswith("usage: python -m app")
+
+
+@pytest.mark.parametrize("exact", [False, True])
+def test_frames_on_a_coarse_mesh_are_what_a_session_says_unless_exact(exact: bool) -> None:
+    session(settings={"coarse": 60, "rigid": 1})
+    words = ["--exact"] if exact else []
+    assert main(["deform", "bar.obj", "--session", "bar.json", "-o", "out.obj", *words]) == 0
+    mesh = load_mesh("bar.obj")
+    coarse = None if exact else 60
+    deformer = Deformer(mesh.vertices, mesh.faces, FIXED, [HANDLE], coarse=coarse)
+    expected = deformer.pose([turn()], rigid=1)
+    np.testing.assert_allclose(load_mesh("out.obj").vertices, expected, atol=1e-9)

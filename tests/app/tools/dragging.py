@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 
 from app.worker.client import Worker
-from tests.app.inline import InlineWorker
 from app.worker.requests import Refined, RefineRequest, Request, Result
 from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import moved
+from tests.app.inline import InlineWorker
 from tests.app.person import Person, transforms
 
 

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from app.worker.client import ProcessWorker
-from tests.app.inline import InlineWorker
 from app.worker.requests import (
     Failure,
     Refined,
@@ -15,6 +14,7 @@ from app.worker.requests import (
 from app.worker.service import SolverService
 from app.worker.snapshot import bind_request
 from solver import MaterialError
+from tests.app.inline import InlineWorker
 from tests.app.worker.work import (
     document,
     expected,

@@ -10,8 +10,8 @@ from app.editor.editor import Editor
 from app.editor.file_actions import load_document
 from app.editor.softness_warnings import STEEP, WEAK
 from app.model.handles import FIXED
-from tests.app.inline import InlineWorker
 from solver import Material
+from tests.app.inline import InlineWorker
 from tests.app.person import Person, slab
 
 
