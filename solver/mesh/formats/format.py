@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from solver.mesh.polygons import Polygons
-from solver.types import FloatArray, IntArray
+from solver.types import BoolArray, FloatArray, IntArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +58,11 @@ class DeformedSurface:
     def triangles(self) -> IntArray:
         """(m, 3) vertices of each triangle."""
         return self.polygons.corners[self.triangle_corners]
+
+    @property
+    def moved(self) -> BoolArray:
+        """(n,) which vertices are no longer where they were."""
+        return np.asarray((self.rest != self.positions).any(axis=1))
 
 
 @dataclass(frozen=True)

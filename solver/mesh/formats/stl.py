@@ -6,7 +6,9 @@ import numpy as np
 
 from solver.errors import MeshError
 from solver.mesh.formats.format import DeformedSurface, FileContent
-from solver.mesh.formats.text import Text, points, split_lines
+from solver.mesh.formats.text.file import TextFile, check_text
+from solver.mesh.formats.text.lines import Lines
+from solver.mesh.formats.text.points import finite_points
 from solver.mesh.polygons import Polygons
 from solver.types import FloatArray, IntArray
 
@@ -53,17 +55,23 @@ def _read_binary(data: bytes, name: str) -> FloatArray:
 
 
 def _read_text(data: bytes, name: str) -> FloatArray:
-    lines = split_lines(name, data, "an STL mesh")
-    text = Text(name, lines, lines)
-    words = [line.lower().lstrip() for line in lines]
-    at = [i for i, word in enumerate(words) if word.startswith(b"vertex")]
-    facets = sum(word.startswith(b"facet") for word in words)
-    if len(at) != 3 * facets or not any(word.startswith(b"endsolid") for word in words):
+    check_text(name, data, "an STL mesh")
+    blocks = TextFile(name, data.lower()).blocks()
+    parts, flaws, counts = [], [], {word: 0 for word in (b"vertex", b"facet", b"endsolid")}
+    for lines in map(Lines.of, blocks):
+        found = {word: lines.beginning_with(word) for word in counts}
+        counts = {word: counts[word] + len(found[word]) for word in counts}
+        points, wrong = finite_points(found[b"vertex"], 1)
+        parts.append(points)
+        flaws += wrong
+    if counts[b"vertex"] != 3 * counts[b"facet"] or not counts[b"endsolid"]:
         raise MeshError(
-            f"{name}: the file ends early, got {len(at)} vertices for {facets} facets, "
-            "expected three each and 'endsolid'"
+            f"{name}: the file ends early, got {counts[b'vertex']} vertices for "
+            f"{counts[b'facet']} facets, expected three each and 'endsolid'"
         )
-    return points(text, at, 1)
+    if flaws:
+        raise TextFile(name, data).error(min(flaws))
+    return np.concatenate(parts)
 
 
 def _weld(corners: FloatArray) -> tuple[FloatArray, IntArray]:

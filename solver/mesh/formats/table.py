@@ -12,7 +12,8 @@ from solver.mesh.formats.gltf.read import read_gltf
 from solver.mesh.formats.gltf.saving.write import write_glb, write_gltf
 from solver.mesh.formats.obj.read import read_obj
 from solver.mesh.formats.obj.write import write_obj
-from solver.mesh.formats.off import read_off, write_off
+from solver.mesh.formats.off.read import read_off
+from solver.mesh.formats.off.write import write_off
 from solver.mesh.formats.ply.read import read_ply
 from solver.mesh.formats.ply.write import write_ply
 from solver.mesh.formats.stl import read_stl, write_stl

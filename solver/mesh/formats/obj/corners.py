@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from solver.mesh.formats.blocks import blank, whole_numbers
+from solver.mesh.formats.text.blocks import blank, whole_numbers
 from solver.types import IntArray
 
 _SLASH = ord("/")
@@ -40,23 +40,16 @@ def corner_numbers(text: bytes) -> tuple[IntArray, IntArray]:
 def _one_by_one(text: bytes) -> tuple[IntArray, IntArray]:
     """For what exporters write by mistake; a texture coordinate may be anything."""
     words = text.split()
-    both = ([vertex_number(word) for word in words], [normal_number(word) for word in words])
+    both = ([_vertex_number(word) for word in words], [_normal_number(word) for word in words])
     vertices, normals = (np.array(column, dtype=np.int64) for column in both)
     return vertices, normals
 
 
-def vertex_number(word: bytes) -> int:
+def _vertex_number(word: bytes) -> int:
     return int(word.split(b"/", 1)[0])
 
 
-def normal_number(word: bytes) -> int:
+def _normal_number(word: bytes) -> int:
     parts = word.split(b"/", 2)
     # A slash more than the format has is an exporter's slip that changes nothing.
     return int(parts[2].rstrip(b"/") or 0) if len(parts) == 3 else 0
-
-
-def is_corner(word: bytes) -> bool:
-    try:
-        return all(-(2**63) <= n < 2**63 for n in (vertex_number(word), normal_number(word)))
-    except ValueError:
-        return False

@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 
 import numpy as np
 
 from solver.errors import MeshError
-from solver.mesh.formats.blocks import blocks
 from solver.mesh.formats.format import FileContent, Groups
-from solver.mesh.formats.obj.block import BlockReader, Flaw, Rows
-from solver.mesh.formats.text import check_text, line_error
+from solver.mesh.formats.obj.rows import Rows, read_rows
+from solver.mesh.formats.text.file import Flaw, TextFile, check_text
+from solver.mesh.formats.text.lines import Lines
 from solver.mesh.polygons import Polygons
 from solver.types import FloatArray, IntArray
 
-_BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _EXTRAS = {"texture coordinates": b"vt", "normals": b"vn", "groups": b"g"}
-# A backslash joins a line and the next, unless a comment holds it.
-_CONTINUED = re.compile(rb"^([^#\n]*)(\\[ \t]*\r?\n)", re.MULTILINE)
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,8 +40,8 @@ def read_obj(data: bytes, name: str) -> FileContent:
     error: exporters write such lines, and no position depends on them.
     """
     check_text(name, data, "an OBJ mesh")
-    text = _LogicalLines(name, data)
-    rows = Rows.concatenate([BlockReader(block).rows() for block in blocks(text.data)])
+    text = TextFile(name, data, continued=True)
+    rows = Rows.concatenate([read_rows(Lines.of(block)) for block in text.blocks(comments=True)])
     vertex_at, normal_at, face_at = (rows.at[keyword] for keyword in (b"v", b"vn", b"f"))
     if not vertex_at.size:
         raise MeshError(f"{name}: no vertices, expected an OBJ mesh with lines 'v x y z'")
@@ -56,34 +52,13 @@ def read_obj(data: bytes, name: str) -> FileContent:
     corners = _resolve(rows.vertex_numbers, rows.sizes, face_at, vertex_at)
     wrong = np.flatnonzero(corners < 0)
     if wrong.size:
-        raise text.error(_missing(int(wrong[0]), rows))
+        raise _missing(text, int(wrong[0]), rows)
     corner_normals = _resolve(rows.normal_numbers, rows.sizes, face_at, normal_at)
     source = ObjSource(data, vertex_at, normal_at, rows.normals, corner_normals)
     extras = {words: len(rows.at[keyword]) for words, keyword in _EXTRAS.items()}
     named = rows.at[b"o"] if rows.at[b"o"].size else rows.at[b"g"]
     groups = _groups(text.data, named, face_at) if named.size else None
     return FileContent(rows.points, Polygons(rows.sizes, corners), extras, source, groups)
-
-
-class _LogicalLines:
-    """A file whose lines all end in a line feed and are never continued, of the same length."""
-
-    def __init__(self, name: str, data: bytes) -> None:
-        self._name, self._original = name, data
-        if data.startswith(_BYTE_ORDER_MARK):
-            data = b"   " + data[3:]
-        if b"\r" in data:
-            data = re.sub(rb"\r(?!\n)", b"\n", data)
-        if b"\\" in data:
-            data = _CONTINUED.sub(lambda found: found[1] + b" " * len(found[2]), data)
-        self.data = data
-
-    def error(self, flaw: Flaw) -> MeshError:
-        start = self.data.rfind(b"\n", 0, flaw.at) + 1
-        stop = self.data.find(b"\n", flaw.at) + 1 or len(self.data)
-        line = self._original[start:stop].removeprefix(_BYTE_ORDER_MARK)
-        number = 1 + len(self._original[:start].splitlines())
-        return line_error(self._name, number, line, flaw.message)
 
 
 def _groups(data: bytes, at: IntArray, face_at: IntArray) -> Groups:
@@ -109,7 +84,7 @@ def _resolve(numbers: IntArray, sizes: IntArray, face_at: IntArray, at: IntArray
     return index
 
 
-def _missing(corner: int, rows: Rows) -> Flaw:
+def _missing(text: TextFile, corner: int, rows: Rows) -> MeshError:
     face = np.searchsorted(np.cumsum(rows.sizes), corner, side="right")
     at, vertex_at = int(rows.at[b"f"][face]), rows.at[b"v"]
     number = int(rows.vertex_numbers[corner])
@@ -118,4 +93,4 @@ def _missing(corner: int, rows: Rows) -> Flaw:
         expected = "the first vertex is 1"
     elif number < 0:
         expected = f"{np.searchsorted(vertex_at, at)} come before it"
-    return Flaw(0, at, f"the face names vertex {number}, but {expected}")
+    return text.error(Flaw(0, at, f"the face names vertex {number}, but {expected}"))

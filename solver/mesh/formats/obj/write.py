@@ -9,15 +9,18 @@ from itertools import pairwise
 import numpy as np
 
 from solver.mesh.formats.format import DeformedSurface
-from solver.mesh.formats.lines import point_lines, polygon_lines
 from solver.mesh.formats.obj.read import ObjSource
-from solver.mesh.formats.splice import replace_words
+from solver.mesh.formats.text.listing import point_lines, polygon_lines
+from solver.mesh.formats.text.splice import Replacement, spliced
 from solver.mesh.normals import turn_normals
 from solver.mesh.polygons import Polygons
 from solver.types import FloatArray, IntArray
 
 # Blanks may hold a backslash that continues the line.
 _THREE_NUMBERS = re.compile(rb"vn?(?:[\s\\]+[^\s\\#]+){3}")
+# A comment and a backslash that continues a line end a word too.
+_BLANKS = bytes.maketrans(b"\t\r\v\f\n\\#", b"       ")
+_BLANK = ord(" ")
 # Bytes of the file that are worked on at a time.
 _SPAN = 1 << 20
 
@@ -30,7 +33,7 @@ def write_obj(surface: DeformedSurface) -> bytes:
     if isinstance(surface.source, ObjSource):
         return b"".join(_rewritten(surface.source, surface))
     one_based = Polygons(surface.polygons.sizes, surface.polygons.corners + 1)
-    return point_lines(b"v ", surface.positions) + polygon_lines(b"f", one_based)
+    return point_lines(b"v ", surface.positions) + polygon_lines(lambda size: b"f", one_based)
 
 
 def _rewritten(source: ObjSource, surface: DeformedSurface) -> Iterator[bytes]:
@@ -42,25 +45,30 @@ def _rewritten(source: ObjSource, surface: DeformedSurface) -> Iterator[bytes]:
     rest, X = surface.rest, surface.positions
     users = source.corner_normals[surface.triangle_corners]
     normals, turned = turn_normals(source.normals, users, rest, X, surface.triangles)
-    moved = (rest != X).any(axis=1)
+    moved = surface.moved
     at = np.concatenate([source.vertex_at[moved], source.normal_at[turned]])
     values = np.concatenate([X[moved], normals[turned]])
     order = np.argsort(at, kind="stable")
-    return _with_triples(source.data, at[order], values[order])
+    return spliced(source.data, _replacements(source.data, at[order], values[order]))
 
 
-def _with_triples(data: bytes, at: IntArray, values: FloatArray) -> Iterator[bytes]:
-    """The data with `values` (l, 3) after the keywords at bytes `at` (l,), piece by piece."""
+def _replacements(data: bytes, at: IntArray, values: FloatArray) -> Iterator[Replacement]:
+    """`values` (l, 3) for the three words after the keywords at bytes `at` (l,)."""
     bounds = np.searchsorted(at, np.arange(0, len(data) + _SPAN, _SPAN)).tolist()
-    done = 0
     for first, stop in pairwise(bounds):
-        if first == stop:
-            continue
-        last_line = _THREE_NUMBERS.match(data, at[stop - 1])
-        # The reader found three numbers in this very line.
-        assert last_line is not None
-        start, end = int(at[first]), last_line.end()
-        yield data[done:start]
-        yield replace_words(data[start:end], at[first:stop] - start, values[first:stop])
-        done = end
-    yield data[done:]
+        if first < stop:
+            starts, stops = _triples(data, at[first:stop])
+            yield Replacement(starts.ravel(), stops.ravel(), values[first:stop].ravel())
+
+
+def _triples(data: bytes, at: IntArray) -> tuple[IntArray, IntArray]:
+    """(l, 3) where the three words after each keyword start and stop."""
+    start, last_line = int(at[0]), _THREE_NUMBERS.match(data, int(at[-1]))
+    # The reader found three numbers in this very line.
+    assert last_line is not None
+    text = data[start : last_line.end()].translate(_BLANKS)
+    blank = np.frombuffer(b" %b " % text, dtype=np.uint8) == _BLANK
+    starts = np.flatnonzero(blank[:-1] & ~blank[1:]) + start
+    stops = np.flatnonzero(~blank[:-1] & blank[1:]) + start
+    words = np.searchsorted(starts, at)[:, None] + np.arange(1, 4)
+    return starts[words], stops[words]

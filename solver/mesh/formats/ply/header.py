@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from solver.errors import MeshError
@@ -14,6 +15,8 @@ _TYPES = {
 }
 _BYTE_ORDERS = {"ascii": None, "binary_little_endian": "<", "binary_big_endian": ">"}
 _END = re.compile(rb"^[ \t]*end_header[ \t]*(\r\n|\n|\r)", re.MULTILINE)
+POSITION = "x", "y", "z"
+NORMAL = "nx", "ny", "nz"
 _FACE_LISTS = ("vertex_indices", "vertex_index")
 
 
@@ -38,6 +41,11 @@ class Element:
         """Which property has this name."""
         return [entry.name for entry in self.properties].index(name)
 
+    def has_floats(self, names: Sequence[str]) -> bool:
+        """Whether every name is that of a number, and of one that may be no whole number."""
+        floats = {e.name for e in self.properties if e.type[0] == "f" and e.length_type is None}
+        return floats.issuperset(names)
+
 
 @dataclass(frozen=True)
 class Header:
@@ -46,6 +54,11 @@ class Header:
     byte_order: str | None
     elements: tuple[Element, ...]
     end: int
+
+    @property
+    def vertex(self) -> Element:
+        """The element that holds the positions."""
+        return next(element for element in self.elements if element.name == "vertex")
 
     @property
     def face_list(self) -> str:

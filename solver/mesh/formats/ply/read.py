@@ -2,24 +2,47 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from solver.errors import MeshError
 from solver.mesh.formats.format import FileContent
-from solver.mesh.formats.ply.body import BinaryBody, Body, TextBody
-from solver.mesh.formats.ply.header import Element, read_header
+from solver.mesh.formats.ply.binary import BinaryBody
+from solver.mesh.formats.ply.body import Body
+from solver.mesh.formats.ply.header import NORMAL, POSITION, Element, Header, read_header
+from solver.mesh.formats.ply.text import TextBody
 from solver.mesh.polygons import Polygons
 from solver.types import FloatArray
 
+# What the properties of a vertex mean, where all of a row are there.
+_MEANINGS = {
+    "texture coordinates": (("u", "v"), ("s", "t"), ("texture_u", "texture_v")),
+    "normals": (NORMAL,),
+    "colours": (("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_blue")),
+}
+
+
+@dataclass(frozen=True, eq=False)
+class PlySource:
+    """A PLY file, for writing it back."""
+
+    data: bytes
+    header: Header
+
+    def body(self, name: str = "") -> Body:
+        """The rows, from the first element on."""
+        kind = TextBody if self.header.byte_order is None else BinaryBody
+        return kind(self.data, name, self.header)
+
 
 def read_ply(data: bytes, name: str) -> FileContent:
-    """Vertices and polygons. Raises MeshError naming what is wrong, with its line or number."""
-    header = read_header(data, name)
-    body: Body
-    if header.byte_order is None:
-        body = TextBody(data, name, header)
-    else:
-        body = BinaryBody(data, name, header)
+    """Vertices and polygons, with a PlySource.
+
+    Raises MeshError naming what is wrong, with its line or number.
+    """
+    source = PlySource(data, read_header(data, name))
+    header, body = source.header, source.body(name)
     for element in header.elements:
         if element.name == "vertex":
             V = _vertices(body, element, name)
@@ -28,11 +51,20 @@ def read_ply(data: bytes, name: str) -> FileContent:
         else:
             body.skip(element)
     _check_faces(polygons, len(V), name)
-    return FileContent(V, polygons)
+    return FileContent(V, polygons, _extras(header.vertex), source)
+
+
+def _extras(vertex: Element) -> dict[str, int]:
+    names = {entry.name for entry in vertex.properties}
+    return {
+        words: vertex.count
+        for words, spellings in _MEANINGS.items()
+        if any(names.issuperset(spelling) for spelling in spellings)
+    }
 
 
 def _vertices(body: Body, element: Element, name: str) -> FloatArray:
-    V = np.stack(body.columns(element, ("x", "y", "z")), axis=1)
+    V = body.columns(element, POSITION)
     bad = np.flatnonzero(~np.isfinite(V).all(axis=1))
     if bad.size:
         raise MeshError(f"{name}, vertex {bad[0]}: expected finite coordinates")

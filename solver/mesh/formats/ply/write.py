@@ -1,10 +1,14 @@
-"""Writing PLY files: positions and polygons, binary."""
+"""Writing PLY files: a deformed copy of the file that was read, or a plain one."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from solver.mesh.formats.format import DeformedSurface
+from solver.mesh.formats.ply.body import Body
+from solver.mesh.formats.ply.header import NORMAL, POSITION
+from solver.mesh.formats.ply.read import PlySource
+from solver.mesh.formats.vertex_columns import changed_columns
 
 _HEADER = b"""ply
 format binary_little_endian 1.0
@@ -19,7 +23,36 @@ end_header
 
 
 def write_ply(surface: DeformedSurface) -> bytes:
-    """Binary, float64: every position reads back the same."""
+    """The file that was read with new positions and normals, or a plain one, binary and float64.
+
+    New numbers have the type that the file gives them. Whole numbers hold no deformed position: a
+    file of such is not kept.
+    """
+    source = surface.source
+    if isinstance(source, PlySource) and source.header.vertex.has_floats(POSITION):
+        return _rewritten(source, surface)
+    return _plain(surface)
+
+
+def _rewritten(source: PlySource, surface: DeformedSurface) -> bytes:
+    vertex = source.header.vertex
+    has_normals = vertex.has_floats(NORMAL)
+    normals = _at_vertex(source).columns(vertex, NORMAL) if has_normals else None
+    names = POSITION + NORMAL if has_normals else POSITION
+    return _at_vertex(source).replaced(vertex, names, *changed_columns(surface, normals))
+
+
+def _at_vertex(source: PlySource) -> Body:
+    """The body where the vertices follow."""
+    body = source.body()
+    for element in source.header.elements:
+        if element.name == "vertex":
+            break
+        body.skip(element)
+    return body
+
+
+def _plain(surface: DeformedSurface) -> bytes:
     X, polygons = surface.positions, surface.polygons
     wide = bool((polygons.sizes > 255).any())
     count = np.dtype("<i4" if wide else "<u1")

@@ -2,28 +2,42 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
+
 import numpy as np
 
+from solver.mesh.formats.text.blocks import Bytes
 from solver.types import BoolArray, FloatArray, IntArray
 
-# A comment and a backslash that continues a line end a word too.
-_BLANKS = bytes.maketrans(b"\t\r\v\f\n\\#", b"       ")
-_BLANK, _COMMA = b" ,"
+_COMMA = ord(",")
 
 
-def replace_words(data: bytes, at: IntArray, values: FloatArray) -> bytes:
-    """Put the rows of `values` (l, k) in place of the k words after the one at each byte of `at`.
+class Replacement(NamedTuple):
+    """Numbers (r,) to put at bytes starts[i] to stops[i] of a file, in order."""
 
-    data: starts and ends with a word.  Numbers have the shortest text that reads back the same.
+    starts: IntArray
+    stops: IntArray
+    numbers: FloatArray
+
+
+def spliced(data: bytes, replacements: Iterable[Replacement]) -> Iterator[bytes]:
+    """The data with the numbers replaced, piece by piece; replacements come in the file's order.
+
+    Numbers have the shortest text that reads back the same float64.
     """
-    bare = np.frombuffer(b" %b " % data.translate(_BLANKS), dtype=np.uint8)
-    blank = bare == _BLANK
-    starts = np.flatnonzero(blank[:-1] & ~blank[1:])
-    stops = np.flatnonzero(~blank[:-1] & blank[1:])
-    k = values.shape[1]
-    words = (np.searchsorted(starts, at)[:, None] + np.arange(1, k + 1)).ravel()
-    starts, stops = starts[words], stops[words]
-    text, lengths = _texts(values)
+    done = 0
+    for starts, stops, numbers in replacements:
+        if len(starts):
+            first, last = int(starts[0]), int(stops[-1])
+            yield data[done:first]
+            yield _replaced(data[first:last], starts - first, stops - first, numbers)
+            done = last
+    yield data[done:]
+
+
+def _replaced(data: bytes, starts: IntArray, stops: IntArray, numbers: FloatArray) -> bytes:
+    text, lengths = _texts(numbers)
     growth = lengths - (stops - starts)
     after = starts + np.cumsum(growth) - growth
     new = _inside(after, after + lengths, len(data) + int(growth.sum()))
@@ -33,9 +47,9 @@ def replace_words(data: bytes, at: IntArray, values: FloatArray) -> bytes:
     return result.tobytes()
 
 
-def _texts(values: FloatArray) -> tuple[FloatArray, IntArray]:
+def _texts(numbers: FloatArray) -> tuple[Bytes, IntArray]:
     """The bytes of all numbers one after another, and how many each has."""
-    listed = repr(values.ravel().tolist()).encode()[1:-1]
+    listed = repr(numbers.tolist()).encode()[1:-1]
     commas = np.flatnonzero(np.frombuffer(listed, dtype=np.uint8) == _COMMA)
     ends = np.concatenate([commas, [len(listed)]])
     # Two bytes, a comma and a blank, lie between numbers.

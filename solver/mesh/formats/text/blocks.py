@@ -23,11 +23,15 @@ _BLANKS = bytes.maketrans(b"\t\r\v\f", b"    ")
 _NEWLINE, _BLANK, _HASH = b"\n #"
 
 
-def blocks(data: bytes, start: int = 0) -> Iterator[Block]:
-    """The file from byte `start` on, without comments; lines end in a line feed."""
+def blocks(data: bytes, start: int, comments: bool) -> Iterator[Block]:
+    """The file from byte `start` on; lines end in a line feed.
+
+    comments: what follows a `#` in its line is left out.
+    """
     while start < len(data):
         stop = data.find(b"\n", start + _SIZE) + 1 or len(data)
-        yield Block(start, stop, _without_comments(data[start:stop].translate(_BLANKS)))
+        text = np.frombuffer(b"\n%b\n" % data[start:stop].translate(_BLANKS), dtype=np.uint8)
+        yield Block(start, stop, _without_comments(text) if comments else text)
         start = stop
 
 
@@ -75,14 +79,9 @@ class Block:
         """Where in the file these words start."""
         return self.word_starts[words] + (self.start - 1)
 
-    def starting_with(self, keyword: bytes) -> IntArray:
-        """The lines (of those with words) whose first word is this."""
-        at = self.word_starts[self.first_words]
-        same = self.word_stops[self.first_words] - at == len(keyword)
-        for k, letter in enumerate(keyword):
-            # A shorter word ends in a blank, so that this never leaves the text.
-            same &= self.text[np.minimum(at + k, len(self.text) - 1)] == letter
-        return np.flatnonzero(same)
+    def ends(self, words: IntArray) -> IntArray:
+        """Where in the file these words end."""
+        return self.word_stops[words] + (self.start - 1)
 
     def joined(self, first: IntArray, last: IntArray) -> bytes:
         """The words first[i] .. last[i] of each i, in the order of the file, with their blanks."""
@@ -113,14 +112,13 @@ def whole_numbers(text: bytes) -> IntArray:
     return np.fromiter(map(int, text.split()), dtype=np.int64)
 
 
-def _without_comments(data: bytes) -> Bytes:
-    text = np.frombuffer(b"\n%b\n" % data, dtype=np.uint8)
-    if b"#" not in data:
+def _without_comments(text: Bytes) -> Bytes:
+    hashes = np.flatnonzero(text == _HASH)
+    if not hashes.size:
         return text
+    ends = np.flatnonzero(text == _NEWLINE)
+    line, first = np.unique(np.searchsorted(ends, hashes), return_index=True)
     edges = np.zeros(len(text), dtype=np.int8)
-    hashes, ends = np.flatnonzero(text == _HASH), np.flatnonzero(text == _NEWLINE)
-    line = np.searchsorted(ends, hashes)
-    _, first = np.unique(line, return_index=True)
     edges[hashes[first]] = 1
-    edges[ends[line[first]]] = -1
+    edges[ends[line]] = -1
     return np.where(np.cumsum(edges, dtype=np.int8).view(bool), np.uint8(_BLANK), text)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from solver.mesh.polygons import Polygons
 from solver.types import FloatArray
 
@@ -11,8 +13,8 @@ def point_lines(head: bytes, points: FloatArray) -> bytes:
     return (head + b"%a %a %a\n") * len(points) % tuple(points.ravel().tolist())
 
 
-def polygon_lines(head: bytes, polygons: Polygons) -> bytes:
-    """A line for each polygon: `head`, then its corners."""
+def polygon_lines(head: Callable[[int], bytes], polygons: Polygons) -> bytes:
+    """A line for each polygon: the head that belongs to its size, then its corners."""
     sizes = polygons.sizes.tolist()
-    line = {size: head + b" %d" * size + b"\n" for size in set(sizes)}
+    line = {size: head(size) + b" %d" * size + b"\n" for size in set(sizes)}
     return b"".join(map(line.__getitem__, sizes)) % tuple(polygons.corners.tolist())

@@ -1,0 +1,1 @@
+"""OFF files: text, kept to the byte but for what a deformation changes."""

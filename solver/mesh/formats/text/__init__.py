@@ -1,0 +1,1 @@
+"""Text files as arrays of bytes: their lines, words and numbers, read and replaced."""
