@@ -18,6 +18,7 @@ from solver.geometry.welding import pieces
 from solver.mesh.formats.format import DeformedSurface, FileContent, Format, Groups
 from solver.mesh.formats.table import FORMATS
 from solver.mesh.polygons import Polygons, triangulate
+from solver.mesh.progress import Progress, in_steps, portion, silent
 from solver.storage import read_bytes, write_atomically
 from solver.types import FloatArray, IntArray
 
@@ -87,14 +88,18 @@ class Mesh:
         path: str | os.PathLike[str],
         X: ArrayLike,
         poses: Mapping[str, ArrayLike] | None = None,
+        progress: Progress | None = None,
     ) -> None:
         """Write the mesh with positions X (n, 3), in the format of the path's suffix.
 
         A file saved in the format of its source keeps all else in it: an OBJ every byte but the
-        coordinates of `v` lines that moved and of `vn` lines that turned; a GLB or glTF everything
-        but positions, normals and tangents. Other formats keep the polygons (STL, GLB: triangles).
+        coordinates of `v` lines that moved and of `vn` lines that turned; a PLY or OFF so too, in
+        the type of its numbers; a GLB or glTF everything but positions, normals and tangents.
+        Other formats keep the polygons (STL, GLB: triangles).
         poses: positions (n, 3) by name. They become morph targets of a GLB or glTF, and beside any
         other file, say out.obj, a file each: out-fist.obj.
+        progress: called a dozen times with growing fractions, 1 at the end. Where it raises, saving
+        stops: no file is left half written.
         Raises MeshError for positions, names or the suffix, FileError where a file cannot be
         written.
 
@@ -110,13 +115,16 @@ class Mesh:
             self.triangle_corners,
             self.source,
             name,
-            {pose: self._positions(Y) for pose, Y in (poses or {}).items()},
+            poses={pose: self._positions(Y) for pose, Y in (poses or {}).items()},
         )
         files = {name: surface}
         if not file_format.keeps_poses:
             files |= _pose_files(surface)
-        for file, content in files.items():
-            write_atomically(file, file_format.write(content))
+        tell = in_steps(progress or silent)
+        for done, (file, content) in enumerate(files.items()):
+            here = portion(tell, done / len(files), (done + 0.9) / len(files))
+            write_atomically(file, file_format.write(replace(content, progress=here)))
+            tell((done + 1) / len(files))
 
     def _positions(self, X: ArrayLike) -> FloatArray:
         positions = _positions(X)
@@ -126,9 +134,10 @@ class Mesh:
         return positions
 
 
-def load_mesh(path: str | os.PathLike[str]) -> Mesh:
+def load_mesh(path: str | os.PathLike[str], progress: Progress | None = None) -> Mesh:
     """Read a mesh file; its suffix says in which format of `formats.table`.
 
+    progress: called a dozen times with growing fractions, 1 at the end. Where it raises, reading stops.
     Raises FileError where the file cannot be read and MeshError, in one line that names the place,
     where it does not hold a surface.
 
@@ -139,7 +148,11 @@ def load_mesh(path: str | os.PathLike[str]) -> Mesh:
     [[0, 1, 2], [0, 2, 3]]
     """
     file_format, name = _format(path), os.fspath(path)
-    return _build(file_format.read(read_bytes(path), name), name)
+    tell = in_steps(progress or silent)
+    data = read_bytes(path)
+    mesh = _build(file_format.read(data, name, portion(tell, 0.05, 0.85)), name)
+    tell(1.0)
+    return mesh
 
 
 def _build(content: FileContent, name: str) -> Mesh:

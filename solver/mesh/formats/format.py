@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from solver.mesh.polygons import Polygons
+from solver.mesh.progress import Progress, silent
 from solver.types import BoolArray, FloatArray, IntArray
 
 
@@ -44,6 +45,7 @@ class DeformedSurface:
     corners of `polygons` that each triangle takes.
     source: of the file the surface was read from. A format knows its own and ignores any other.
     path: where it is to be written.  poses: positions (n, 3) by name, for formats that keep them.
+    progress: told how much of it is written.
     """
 
     rest: FloatArray
@@ -53,6 +55,7 @@ class DeformedSurface:
     source: object = None
     path: str = ""
     poses: Mapping[str, FloatArray] = field(default_factory=dict)
+    progress: Progress = silent
 
     @property
     def triangles(self) -> IntArray:
@@ -71,10 +74,11 @@ class Format:
 
     read: from the bytes of a file and its path. Raises MeshError, in one line that starts with the
     path and names the place, where they do not hold a surface.
+    It tells its progress from 0 to 1.
     write: to the bytes of a file.
     keeps_poses: whether one file holds poses beside the surface; else each is a file of its own.
     """
 
-    read: Callable[[bytes, str], FileContent]
+    read: Callable[[bytes, str, Progress], FileContent]
     write: Callable[[DeformedSurface], bytes]
     keeps_poses: bool = False

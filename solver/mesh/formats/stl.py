@@ -10,13 +10,14 @@ from solver.mesh.formats.text.file import TextFile, check_text
 from solver.mesh.formats.text.lines import Lines
 from solver.mesh.formats.text.points import finite_points
 from solver.mesh.polygons import Polygons
+from solver.mesh.progress import Progress, silent
 from solver.types import FloatArray, IntArray
 
 _RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 _HEAD = 84
 
 
-def read_stl(data: bytes, name: str) -> FileContent:
+def read_stl(data: bytes, name: str, progress: Progress = silent) -> FileContent:
     """Vertices and triangles; corners at exactly the same place become one vertex.
 
     Raises MeshError saying what was expected.
@@ -24,7 +25,7 @@ def read_stl(data: bytes, name: str) -> FileContent:
     if not data:
         raise MeshError(f"{name}: the file is empty, expected an STL mesh")
     is_text = data.lstrip()[:5].lower() == b"solid" and b"facet" in data
-    corners = _read_text(data, name) if is_text else _read_binary(data, name)
+    corners = _read_text(data, name, progress) if is_text else _read_binary(data, name)
     V, faces = _weld(corners)
     return FileContent(V, Polygons.from_array(faces))
 
@@ -54,9 +55,9 @@ def _read_binary(data: bytes, name: str) -> FloatArray:
     return corners.reshape(-1, 3)
 
 
-def _read_text(data: bytes, name: str) -> FloatArray:
+def _read_text(data: bytes, name: str, progress: Progress) -> FloatArray:
     check_text(name, data, "an STL mesh")
-    blocks = TextFile(name, data.lower()).blocks()
+    blocks = TextFile(name, data.lower()).blocks(progress=progress)
     parts, flaws, counts = [], [], {word: 0 for word in (b"vertex", b"facet", b"endsolid")}
     for lines in map(Lines.of, blocks):
         found = {word: lines.beginning_with(word) for word in counts}

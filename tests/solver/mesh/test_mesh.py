@@ -104,3 +104,38 @@ def test_paths_may_be_strings_with_any_letters_and_case(tmp_path: Path) -> None:
     Mesh.from_arrays(V, [[0, 1, 2, 3]]).save(path, V)
     mesh = load_mesh(path)
     assert np.asarray(mesh.polygons).tolist() == [[0, 1, 2, 3]]
+
+
+@pytest.mark.parametrize("suffix", [".obj", ".off", ".ply", ".stl", ".glb"])
+def test_reading_and_saving_tell_how_far_they_are(tmp_path: Path, suffix: str) -> None:
+    V = np.random.default_rng(0).normal(size=(30_000, 3))
+    i = np.arange(len(V) - 2)
+    Mesh.from_arrays(V, np.stack([i, i + 1, i + 2], axis=1)).save(tmp_path / f"a{suffix}", V)
+    for task in ("load", "save"):
+        told: list[float] = []
+        mesh = load_mesh(tmp_path / f"a{suffix}", progress=told.append if task == "load" else None)
+        if task == "save":
+            mesh.save(tmp_path / f"b{suffix}", mesh.vertices + 1, progress=told.append)
+        assert told == sorted(told)
+        assert told[-1] == 1
+        assert all(0 < fraction <= 1 for fraction in told)
+        assert len(told) <= 12
+
+
+@pytest.mark.parametrize("suffix", [".obj", ".off", ".ply"])
+def test_who_is_told_may_stop_it(tmp_path: Path, suffix: str) -> None:
+    V = np.random.default_rng(0).normal(size=(30_000, 3))
+    i = np.arange(len(V) - 2)
+    path = tmp_path / f"a{suffix}"
+    Mesh.from_arrays(V, np.stack([i, i + 1, i + 2], axis=1)).save(path, V)
+    before = path.read_bytes()
+
+    def stop(fraction: float) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        load_mesh(path, progress=stop)
+    with pytest.raises(KeyboardInterrupt):
+        load_mesh(path).save(path, V + 1, progress=stop)
+    assert path.read_bytes() == before
+    assert len(list(tmp_path.iterdir())) == 1

@@ -18,6 +18,7 @@ from solver.mesh.formats.gltf.scene import (
 )
 from solver.mesh.formats.gltf.schema import Json
 from solver.mesh.polygons import Polygons
+from solver.mesh.progress import Progress, silent
 from solver.types import FloatArray, IntArray
 
 _COMPRESSION = {
@@ -59,7 +60,7 @@ class GltfSource:
     parts: tuple[Part, ...]
 
 
-def read_gltf(data: bytes, name: str) -> FileContent:
+def read_gltf(data: bytes, name: str, progress: Progress = silent) -> FileContent:
     """Vertices and triangles of a GLB or .gltf, with a GltfSource. Raises MeshError in one line.
 
     Every mesh stands where the first node that shows it puts it: under the transforms of nodes,
@@ -77,7 +78,8 @@ def read_gltf(data: bytes, name: str) -> FileContent:
     # Files of any numbers come in; what overflows is refused as positions.
     with np.errstate(all="ignore"):
         reader = _Reader(gltf, world_transforms(gltf))
-        for node in first.values():
+        for done, node in enumerate(first.values()):
+            progress(done / len(first))
             reader.add(node)
     faces = np.concatenate([np.empty((0, 3), np.int64), *reader.faces])
     if not len(faces):

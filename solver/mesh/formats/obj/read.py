@@ -12,6 +12,7 @@ from solver.mesh.formats.obj.rows import Rows, read_rows
 from solver.mesh.formats.text.file import Flaw, TextFile, check_text
 from solver.mesh.formats.text.lines import Lines
 from solver.mesh.polygons import Polygons
+from solver.mesh.progress import Progress, silent
 from solver.types import FloatArray, IntArray
 
 _EXTRAS = {"texture coordinates": b"vt", "normals": b"vn", "groups": b"g"}
@@ -33,7 +34,7 @@ class ObjSource:
     corner_normals: IntArray
 
 
-def read_obj(data: bytes, name: str) -> FileContent:
+def read_obj(data: bytes, name: str, progress: Progress = silent) -> FileContent:
     """Vertices and polygons, with an ObjSource. Raises MeshError naming the line.
 
     Faces may name vertices that come later. A normal that is not there or cannot be read is no
@@ -41,7 +42,8 @@ def read_obj(data: bytes, name: str) -> FileContent:
     """
     check_text(name, data, "an OBJ mesh")
     text = TextFile(name, data, continued=True)
-    rows = Rows.concatenate([read_rows(Lines.of(block)) for block in text.blocks(comments=True)])
+    blocks = text.blocks(comments=True, progress=progress)
+    rows = Rows.concatenate([read_rows(Lines.of(block)) for block in blocks])
     vertex_at, normal_at, face_at = (rows.at[keyword] for keyword in (b"v", b"vn", b"f"))
     if not vertex_at.size:
         raise MeshError(f"{name}: no vertices, expected an OBJ mesh with lines 'v x y z'")

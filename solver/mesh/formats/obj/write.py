@@ -14,6 +14,7 @@ from solver.mesh.formats.text.listing import point_lines, polygon_lines
 from solver.mesh.formats.text.splice import Replacement, spliced
 from solver.mesh.normals import turn_normals
 from solver.mesh.polygons import Polygons
+from solver.mesh.progress import Progress, portion
 from solver.types import FloatArray, IntArray
 
 # Blanks may hold a backslash that continues the line.
@@ -49,16 +50,21 @@ def _rewritten(source: ObjSource, surface: DeformedSurface) -> Iterator[bytes]:
     at = np.concatenate([source.vertex_at[moved], source.normal_at[turned]])
     values = np.concatenate([X[moved], normals[turned]])
     order = np.argsort(at, kind="stable")
-    return spliced(source.data, _replacements(source.data, at[order], values[order]))
+    # Normals take about a third of the time.
+    progress = portion(surface.progress, 0.3, 1.0)
+    return spliced(source.data, _replacements(source.data, at[order], values[order], progress))
 
 
-def _replacements(data: bytes, at: IntArray, values: FloatArray) -> Iterator[Replacement]:
+def _replacements(
+    data: bytes, at: IntArray, values: FloatArray, progress: Progress
+) -> Iterator[Replacement]:
     """`values` (l, 3) for the three words after the keywords at bytes `at` (l,)."""
     bounds = np.searchsorted(at, np.arange(0, len(data) + _SPAN, _SPAN)).tolist()
     for first, stop in pairwise(bounds):
         if first < stop:
             starts, stops = _triples(data, at[first:stop])
             yield Replacement(starts.ravel(), stops.ravel(), values[first:stop].ravel())
+            progress(stop / len(at))
 
 
 def _triples(data: bytes, at: IntArray) -> tuple[IntArray, IntArray]:

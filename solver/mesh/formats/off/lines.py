@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from solver.mesh.formats.text.file import Flaw, TextFile
 from solver.mesh.formats.text.lines import LineQueue, Lines
+from solver.mesh.progress import Progress, silent
 
 # What the letters say comes in the other order: after the position a normal, a colour and texture
 # coordinates.
@@ -21,9 +22,9 @@ class OffLines:
     Raises MeshError where the header is none.
     """
 
-    def __init__(self, name: str, data: bytes) -> None:
+    def __init__(self, name: str, data: bytes, progress: Progress = silent) -> None:
         self.text = TextFile(name, data)
-        self._queue = LineQueue(self.text.blocks(comments=True))
+        self._queue = LineQueue(self.text.blocks(comments=True, progress=progress))
         words, at = self._next_line()
         keyword = _KEYWORD.fullmatch(words[0]) if words else None
         if keyword is None:

@@ -14,6 +14,7 @@ from solver.mesh.formats.text.file import Flaw, check_text
 from solver.mesh.formats.text.lines import Lines, first_failing
 from solver.mesh.formats.text.points import finite_points
 from solver.mesh.polygons import Polygons
+from solver.mesh.progress import Progress, silent
 from solver.types import FloatArray, IntArray
 
 
@@ -24,10 +25,10 @@ class OffSource:
     data: bytes
 
 
-def read_off(data: bytes, name: str) -> FileContent:
+def read_off(data: bytes, name: str, progress: Progress = silent) -> FileContent:
     """Vertices and polygons, with an OffSource. Raises MeshError naming the line."""
     check_text(name, data, "an OFF mesh")
-    content = _Content(OffLines(name, data))
+    content = _Content(OffLines(name, data, progress))
     lines, n, m = content.lines, content.lines.vertex_count, content.lines.face_count
     if content.found < n + m:
         raise MeshError(

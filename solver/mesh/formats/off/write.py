@@ -35,7 +35,7 @@ def _rewritten(data: bytes, surface: DeformedSurface) -> Iterator[bytes]:
 
     def replacements() -> Iterator[Replacement]:
         done = 0
-        for lines in OffLines("", data).vertices():
+        for lines in OffLines("", data, surface.progress).vertices():
             rows = slice(done, done + len(lines))
             words = (lines.first[:, None] + np.arange(values.shape[1]))[changed[rows]]
             ends = lines.block.ends(words)

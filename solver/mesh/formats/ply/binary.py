@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from solver.errors import MeshError
 from solver.mesh.formats.ply.body import Body, Lists
 from solver.mesh.formats.ply.header import Element, Header
+from solver.mesh.progress import Progress
 from solver.types import BoolArray, FloatArray, IntArray
 
 
@@ -24,9 +25,9 @@ class Layout(NamedTuple):
 class BinaryBody(Body):
     """Rows of bytes: numbers are read from where they start, all rows of a property at once."""
 
-    def __init__(self, data: bytes, name: str, header: Header) -> None:
+    def __init__(self, data: bytes, name: str, header: Header, progress: Progress) -> None:
         self._data, self._bytes = data, np.frombuffer(data, dtype=np.uint8)
-        self._name, self._at = name, header.end
+        self._name, self._at, self._progress = name, header.end, progress
         self._endian: Literal["little", "big"] = "big" if header.byte_order == ">" else "little"
 
     def columns(self, element: Element, names: Sequence[str]) -> FloatArray:
@@ -64,7 +65,9 @@ class BinaryBody(Body):
         if not (element.count and element.properties):
             empty = np.zeros((0, len(element.properties)), dtype=np.int64)
             return Layout(empty, empty)
-        return self._equal_rows(element) or self._walk(element)
+        layout = self._equal_rows(element) or self._walk(element)
+        self._progress(self._at / len(self._data))
+        return layout
 
     def _equal_rows(self, element: Element) -> Layout | None:
         """The layout where every row has the lengths of the first, else None."""

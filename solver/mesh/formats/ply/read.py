@@ -13,6 +13,7 @@ from solver.mesh.formats.ply.body import Body
 from solver.mesh.formats.ply.header import NORMAL, POSITION, Element, Header, read_header
 from solver.mesh.formats.ply.text import TextBody
 from solver.mesh.polygons import Polygons
+from solver.mesh.progress import Progress, silent
 from solver.types import FloatArray
 
 # What the properties of a vertex mean, where all of a row are there.
@@ -30,19 +31,19 @@ class PlySource:
     data: bytes
     header: Header
 
-    def body(self, name: str = "") -> Body:
+    def body(self, name: str = "", progress: Progress = silent) -> Body:
         """The rows, from the first element on."""
         kind = TextBody if self.header.byte_order is None else BinaryBody
-        return kind(self.data, name, self.header)
+        return kind(self.data, name, self.header, progress)
 
 
-def read_ply(data: bytes, name: str) -> FileContent:
+def read_ply(data: bytes, name: str, progress: Progress = silent) -> FileContent:
     """Vertices and polygons, with a PlySource.
 
     Raises MeshError naming what is wrong, with its line or number.
     """
     source = PlySource(data, read_header(data, name))
-    header, body = source.header, source.body(name)
+    header, body = source.header, source.body(name, progress)
     for element in header.elements:
         if element.name == "vertex":
             V = _vertices(body, element, name)

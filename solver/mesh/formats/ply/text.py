@@ -14,6 +14,7 @@ from solver.mesh.formats.text.blocks import numbers, whole_numbers
 from solver.mesh.formats.text.file import Flaw, TextFile
 from solver.mesh.formats.text.lines import LineQueue, Lines, first_failing
 from solver.mesh.formats.text.splice import Replacement, spliced
+from solver.mesh.progress import Progress
 from solver.types import BoolArray, FloatArray, IntArray
 
 
@@ -29,10 +30,10 @@ class Cells(NamedTuple):
 class TextBody(Body):
     """Reads some thousands of lines at a time."""
 
-    def __init__(self, data: bytes, name: str, header: Header) -> None:
+    def __init__(self, data: bytes, name: str, header: Header, progress: Progress) -> None:
         self._data, self._name = data, name
         self._file = TextFile(name, data)
-        self._queue = LineQueue(self._file.blocks(header.end))
+        self._queue = LineQueue(self._file.blocks(header.end, progress=progress))
 
     def columns(self, element: Element, names: Sequence[str]) -> FloatArray:
         chosen = [element.position(name) for name in names]

@@ -9,6 +9,7 @@ from solver.mesh.formats.ply.body import Body
 from solver.mesh.formats.ply.header import NORMAL, POSITION
 from solver.mesh.formats.ply.read import PlySource
 from solver.mesh.formats.vertex_columns import changed_columns
+from solver.mesh.progress import Progress, silent
 
 _HEADER = b"""ply
 format binary_little_endian 1.0
@@ -37,14 +38,15 @@ def write_ply(surface: DeformedSurface) -> bytes:
 def _rewritten(source: PlySource, surface: DeformedSurface) -> bytes:
     vertex = source.header.vertex
     has_normals = vertex.has_floats(NORMAL)
-    normals = _at_vertex(source).columns(vertex, NORMAL) if has_normals else None
+    normals = _at_vertex(source, silent).columns(vertex, NORMAL) if has_normals else None
     names = POSITION + NORMAL if has_normals else POSITION
-    return _at_vertex(source).replaced(vertex, names, *changed_columns(surface, normals))
+    body = _at_vertex(source, surface.progress)
+    return body.replaced(vertex, names, *changed_columns(surface, normals))
 
 
-def _at_vertex(source: PlySource) -> Body:
+def _at_vertex(source: PlySource, progress: Progress) -> Body:
     """The body where the vertices follow."""
-    body = source.body()
+    body = source.body(progress=progress)
     for element in source.header.elements:
         if element.name == "vertex":
             break

@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from solver.mesh.progress import Progress
 from solver.types import BoolArray, FloatArray, IntArray
 
 Bytes = NDArray[np.uint8]
@@ -23,7 +24,7 @@ _BLANKS = bytes.maketrans(b"\t\r\v\f", b"    ")
 _NEWLINE, _BLANK, _HASH = b"\n #"
 
 
-def blocks(data: bytes, start: int, comments: bool) -> Iterator[Block]:
+def blocks(data: bytes, start: int, comments: bool, progress: Progress) -> Iterator[Block]:
     """The file from byte `start` on; lines end in a line feed.
 
     comments: what follows a `#` in its line is left out.
@@ -33,6 +34,7 @@ def blocks(data: bytes, start: int, comments: bool) -> Iterator[Block]:
         text = np.frombuffer(b"\n%b\n" % data[start:stop].translate(_BLANKS), dtype=np.uint8)
         yield Block(start, stop, _without_comments(text) if comments else text)
         start = stop
+        progress(start / len(data))
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from solver.errors import MeshError
 from solver.mesh.formats.text.blocks import Block, blocks
+from solver.mesh.progress import Progress, silent
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _LONE_RETURN = re.compile(rb"\r(?!\n)")
@@ -39,9 +40,11 @@ class TextFile:
             data = _CONTINUED.sub(lambda found: found[1] + b" " * len(found[2]), data)
         self.data = data
 
-    def blocks(self, start: int = 0, comments: bool = False) -> Iterator[Block]:
+    def blocks(
+        self, start: int = 0, comments: bool = False, progress: Progress = silent
+    ) -> Iterator[Block]:
         """The text from byte `start` on; with comments, without what follows a `#`."""
-        return blocks(self.data, start, comments)
+        return blocks(self.data, start, comments, progress)
 
     def error(self, flaw: Flaw) -> MeshError:
         """An error about a line, quoting it."""
