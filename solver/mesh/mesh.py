@@ -137,7 +137,8 @@ class Mesh:
 def load_mesh(path: str | os.PathLike[str], progress: Progress | None = None) -> Mesh:
     """Read a mesh file; its suffix says in which format of `formats.table`.
 
-    progress: called a dozen times with growing fractions, 1 at the end. Where it raises, reading stops.
+    progress: called a dozen times with growing fractions, 1 at the end. Where it raises, reading
+    stops.
     Raises FileError where the file cannot be read and MeshError, in one line that names the place,
     where it does not hold a surface.
 
