@@ -11,29 +11,32 @@ from app.model.document import Document
 from app.model.session import read_session, to_document, write_session
 from app.workspace.workspace import Workspace
 from solver import load_mesh
+from solver.mesh.progress import Progress
 
 
 def open_mesh(work: Workspace, command: c.OpenMesh) -> None:
-    work.adopt(load_document(command.path, None))
+    work.adopt(load_document(command.path, None, work.progress))
     _announce(work, command.path)
 
 
 def open_session(work: Workspace, command: c.OpenSession) -> None:
-    work.adopt(load_document(None, command.path), command.path)
+    work.adopt(load_document(None, command.path, work.progress), command.path)
     _announce(work, command.path)
 
 
-def load_document(mesh: Path | None, session: Path | None) -> Document:
+def load_document(
+    mesh: Path | None, session: Path | None, progress: Progress | None = None
+) -> Document:
     """A mesh as it is, the document of a session, or that of a session on another mesh file.
 
-    Raises FileError, MeshError or SessionError.
+    progress: see load_mesh. Raises FileError, MeshError or SessionError.
     """
     if session is None:
         assert mesh is not None
-        return Document(load_mesh(mesh), mesh)
+        return Document(load_mesh(mesh, progress), mesh)
     described = read_session(session)
     path = mesh or described.mesh_path
-    return to_document(described, load_mesh(path), path)
+    return to_document(described, load_mesh(path, progress), path)
 
 
 def open_command(path: Path) -> c.OpenMesh | c.OpenSession:
@@ -54,7 +57,7 @@ def export(work: Workspace, command: c.Export) -> None:
     path = command.path or default_export_path(work)
     _spare_mesh(work, path)
     work.surface.settle(work.document)
-    work.document.mesh.save(path, work.positions)
+    work.document.mesh.save(path, work.positions, progress=work.progress)
     work.say(f"Exported {path}")
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import time
 import traceback
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import polyscope as ps
@@ -16,6 +18,7 @@ from app.window.mouse_and_keys import read_mouse, read_shortcuts
 from app.window.opening import open_window
 from app.window.overlay import Messages, overlay
 from app.window.panel import WIDTH, Panel
+from app.window.progress_frames import ProgressFrames
 from app.window.shortcuts import WindowAction
 from app.window.view import View
 from app.worker.client import ProcessWorker, Worker
@@ -41,20 +44,22 @@ def _run(worker: Worker, mesh: Path | None, session: Path | None, export: Path |
     ps.set_user_callback(lambda: overlay("loading", "Loading ..."))
     for _ in range(2):  # the first frame of a window may come before it is shown
         ps.frame_tick()
-    window = Window(Editor(load_document(mesh, session), worker, session, export))
+    told = ProgressFrames(c.OpenMesh.notice, lambda: None)
+    window = Window(Editor(load_document(mesh, session, told), worker, session, export))
     ps.set_user_callback(window.frame)
     ps.set_files_dropped_callback(window.drop)
     try:
-        _loop()
+        _loop(window)
     finally:
         window.close()
 
 
-def _loop() -> None:
+def _loop(window: Window) -> None:
     """Sixty frames a second and no more: Polyscope's own limit burns the time in between."""
     while not ps.window_requests_close():
         start = time.perf_counter()
         ps.frame_tick()
+        window.work()
         time.sleep(max(FRAME_SECONDS - (time.perf_counter() - start), 0.0))
 
 
@@ -67,13 +72,30 @@ class Window:
         self._panel = Panel()
         self._messages = Messages()
         self._waiting: list[c.Command] = []
+        self._told = ProgressFrames("", lambda: self._panel.draw(editor))
+        editor.progress = self._told
         self._drops: list[Path] = []
         self._document = editor.document.serial
 
     def frame(self) -> None:
-        """One frame. Whatever goes wrong becomes a message: an exception would end the window."""
-        try:
+        """One frame."""
+        with self._telling():
             self._frame()
+
+    def work(self) -> None:
+        """Carry out what takes its time, between two frames: the last one said so."""
+        slow, self._waiting = self._waiting, []
+        for command in slow:
+            self._told.notice = command.notice
+            with self._telling():
+                self._execute(command)
+            ps.set_user_callback(self.frame)
+
+    @contextmanager
+    def _telling(self) -> Iterator[None]:
+        """Whatever goes wrong becomes a message: an exception would end the window."""
+        try:
+            yield
         except Exception as error:
             traceback.print_exc()
             self._editor.say(f"Internal error: {error}", "error")
@@ -90,26 +112,28 @@ class Window:
     def _frame(self) -> None:
         editor, view = self._editor, self._view
         mouse = read_mouse(view.camera())
-        slow, self._waiting = self._waiting, []
         asked = [*read_shortcuts(editor.brush), *self._panel.draw(editor)]
         asked += [open_command(path) for path in self._drops]
         self._drops = []
-        for command in [*slow, *asked]:
-            self._do(command, now=command in slow)
+        for command in asked:
+            self._do(command)
         editor.step(mouse)
         ps.set_do_default_mouse_interaction(not editor.captures)
         view.show(editor.scene(edges=self._panel.show_edges))
         self._overlay()
 
-    def _do(self, command: c.Command, now: bool) -> None:
+    def _do(self, command: c.Command) -> None:
         if isinstance(command, WindowAction):
             self._act(command.name)
-        elif command.notice and not now:
-            self._waiting.append(command)  # a frame that says so is drawn before
+        elif command.notice:
+            self._waiting.append(command)
         else:
-            if isinstance(command, c.OpenMesh | c.OpenSession):
-                keep_unsaved(self._editor)
-            self._editor.execute(command)
+            self._execute(command)
+
+    def _execute(self, command: c.Command) -> None:
+        if isinstance(command, c.OpenMesh | c.OpenSession):
+            keep_unsaved(self._editor)
+        self._editor.execute(command)
         if self._document != self._editor.document.serial:
             self._document = self._editor.document.serial
             self._panel.file_rows.forget()

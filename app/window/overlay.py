@@ -9,6 +9,7 @@ import polyscope.imgui as psim
 from app.window.panel.widgets import ERROR_COLOR, WIDTH
 from app.workspace.workspace import Message
 
+BAR_WIDTH = 240.0
 MESSAGE_SECONDS = {"info": 4.0, "error": 10.0}
 PLACE = (
     psim.ImGuiWindowFlags_NoDecoration
@@ -36,8 +37,11 @@ class Messages:
             overlay("message", message.text, error=message.kind == "error")
 
 
-def overlay(name: str, text: str, error: bool = False) -> None:
-    """A line or more in the middle of the scene's lower end; the panel is beside it."""
+def overlay(name: str, text: str, error: bool = False, fraction: float | None = None) -> None:
+    """A line or more in the middle of the scene's lower end; the panel is beside it.
+
+    fraction: of a bar below that shows how far something is, None without one.
+    """
     width, height = psim.GetIO().DisplaySize
     psim.SetNextWindowPos((0.5 * (width + WIDTH), height - 30.0), 0, (0.5, 1.0))
     psim.SetNextWindowBgAlpha(0.9)
@@ -48,6 +52,8 @@ def overlay(name: str, text: str, error: bool = False) -> None:
             psim.TextColored(ERROR_COLOR, text)
         else:
             psim.Text(text)
+        if fraction is not None:
+            psim.ProgressBar(fraction, (BAR_WIDTH, 0.0))
     finally:
         psim.PopTextWrapPos()
         psim.End()

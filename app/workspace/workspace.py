@@ -23,6 +23,7 @@ from app.workspace.latest import Latest
 from app.workspace.live_surface import LiveSurface
 from app.workspace.parts import Parts
 from app.workspace.picking import Hit, Picker
+from solver.mesh.progress import Progress
 from solver.types import FloatArray
 
 
@@ -56,7 +57,7 @@ class Workspace:
     tool: a name in tools.TOOLS.  map: a name in color_maps.MAPS.  turn: dragged handles turn by
     themselves.  message: the last one, None before the first.  export_path: where Export goes
     by default.  session_path: the session file last opened or saved.  interaction: the stroke or
-    drag in progress.
+    drag in progress.  progress: what is told how far reading and saving are.
     """
 
     def __init__(
@@ -73,6 +74,7 @@ class Workspace:
         self.turn = True
         self.map = "roles"
         self.message: Message | None = None
+        self.progress: Progress | None = None
         self.adopt(document, session_path)
 
     def adopt(self, document: Document, session_path: Path | None = None) -> None:
