@@ -6,6 +6,7 @@ from pathlib import Path
 
 from app.editor.file_actions import load_document
 from app.model.document import Document
+from app.worker.memory import check_memory
 from solver import Deformer, load_mesh
 from solver.mesh.statistics import MeshStatistics, mesh_statistics
 from solver.types import FloatArray
@@ -33,6 +34,7 @@ def posed(document: Document) -> FloatArray:
     mesh, keys = document.mesh, document.bound_keys
     if not keys:
         return mesh.vertices
+    check_memory(len(mesh.vertices), document.coarse_count)
     deformer = Deformer.of(mesh.vertices, mesh.faces, document.setup())
     return deformer.pose(list(document.pose.stacked(keys)), rigid=document.rigid)
 

@@ -10,6 +10,7 @@ import traceback
 
 import numpy as np
 
+from app.worker.memory import check_memory
 from app.worker.requests import Answer, BindRequest, RefineRequest, Request, WorkerError
 from solver import Deformer
 from solver.errors import SolverError
@@ -20,7 +21,11 @@ Last = tuple[BindRequest, Deformer]
 
 
 def bind(request: BindRequest, last: Last | None = None) -> Deformer:
-    """The deformer for a request, sharing what it can with the last one of the same mesh."""
+    """The deformer for a request, sharing what it can with the last one of the same mesh.
+
+    Raises OutOfMemory before it is tried, or what binding raises.
+    """
+    check_memory(len(request.vertices), request.setup.coarse)
     if last is None or last[0].mesh != request.mesh:
         deformer = Deformer.of(request.vertices, request.faces, request.setup)
     else:
