@@ -12,6 +12,11 @@ import numpy as np
 
 from solver.types import BoolArray, FloatArray
 
+# Below this share of its scaled edges' square a triangle has no area.
+_FLAT = 1e-12
+# Triangles that are worked on at a time: their arrays stay in a processor's cache.
+_PORTION = 1 << 13
+
 
 @dataclass(frozen=True, eq=False)
 class TriangleFrames:
@@ -30,20 +35,36 @@ class TriangleFrames:
 
 def triangle_frames(P: FloatArray) -> TriangleFrames:
     """The frames of triangles with corners P (m, 3, 3), of any size and anywhere."""
-    edge, other = P[:, 1] - P[:, 0], P[:, 2] - P[:, 0]
-    # Squares of very large or small edges leave the range of float64, so each triangle is scaled.
-    size = np.maximum(np.abs(edge), np.abs(other)).max(axis=1)
-    scale = np.where(size > 0, size, 1)[:, None]
-    edge, other = edge / scale, other / scale
-    first, normal = unit(edge), np.cross(edge, other)
-    double = np.linalg.norm(normal, axis=1)
+    axes, size, double = np.empty((len(P), 3, 3)), np.empty(len(P)), np.empty(len(P))
+    for start in range(0, len(P), _PORTION):
+        part = slice(start, start + _PORTION)
+        axes[part], size[part], double[part] = _scaled_frames(P[part])
     areas = double * (size / max(size.max(), np.finfo(float).tiny)) ** 2
-    degenerate = double <= 1e-12
-    normal /= np.where(degenerate, 1.0, double)[:, None]
-    lines = first[degenerate]
-    normal[degenerate] = unit(np.cross(lines, np.eye(3)[np.abs(lines).argmin(axis=1)]))
-    axes = np.stack([first, np.cross(normal, first), normal], axis=2)
-    return TriangleFrames(axes, areas, degenerate)
+    return TriangleFrames(axes, areas, double <= _FLAT)
+
+
+def _scaled_frames(P: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Axes, a size of each triangle, and twice the area that it has where this size is one."""
+    # Coordinates in rows of their own: arithmetic on columns of three takes twice as long.
+    a, b, c = np.ascontiguousarray(P.transpose(1, 2, 0))
+    edge, other = b - a, c - a
+    # Squares of very large or small edges leave the range of float64, so each triangle is scaled.
+    size = np.maximum(np.abs(edge), np.abs(other)).max(axis=0)
+    scale = np.where(size > 0, size, 1)
+    edge, other = edge / scale, other / scale
+    first, normal = unit(edge.T).T, _cross(edge, other)
+    double = np.sqrt((normal * normal).sum(axis=0))
+    flat = double <= _FLAT
+    normal /= np.where(flat, 1.0, double)
+    lines = first[:, flat].T
+    normal[:, flat] = unit(np.cross(lines, np.eye(3)[np.abs(lines).argmin(axis=1)])).T
+    axes = np.stack([first, _cross(normal, first), normal])
+    return axes.transpose(2, 1, 0), size, double
+
+
+def _cross(a: FloatArray, b: FloatArray) -> FloatArray:
+    """Of vectors in columns, (3, k)."""
+    return np.stack([a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)])
 
 
 def unit(vectors: FloatArray) -> FloatArray:

@@ -71,50 +71,59 @@ class BinaryBody(Body):
 
     def _equal_rows(self, element: Element) -> Layout | None:
         """The layout where every row has the lengths of the first, else None."""
-        starts, lengths, end = self._row(element, self._at)
-        stride = end - self._at
+        lists, end = self._list_lengths(element, 1)
+        first, stride = self._layout(element, lists), end - self._at
         if self._at + element.count * stride > len(self._data):
             return None
-        rows = np.arange(element.count, dtype=np.int64)[:, None]
-        layout = Layout(
-            np.array(starts) + stride * rows, np.tile(lengths, (element.count, 1)).astype(np.int64)
-        )
+        starts = first.starts + stride * np.arange(element.count)[:, None]
         for k, entry in enumerate(element.properties):
             if entry.length_type is not None:
-                at = layout.starts[:, k] - np.dtype(entry.length_type).itemsize
-                if (self._gather(at, np.ones_like(at), entry.length_type) != lengths[k]).any():
+                at = starts[:, k] - int(entry.length_type[1])
+                found = self._gather(at, np.ones_like(at), entry.length_type)
+                if (found != first.lengths[0, k]).any():
                     return None
         self._at += element.count * stride
-        return layout
+        return Layout(starts, np.repeat(first.lengths, element.count, axis=0))
 
     def _walk(self, element: Element) -> Layout:
-        """The layout of rows of different lengths, found row by row."""
-        starts, lengths = [], []
-        for _ in range(element.count):
-            row_starts, row_lengths, self._at = self._row(element, self._at)
-            starts.append(row_starts)
-            lengths.append(row_lengths)
-        return Layout(np.array(starts, dtype=np.int64), np.array(lengths, dtype=np.int64))
+        """The layout of rows of different lengths."""
+        lists, end = self._list_lengths(element, element.count)
+        layout = self._layout(element, lists)
+        self._at = end
+        return layout
 
-    def _row(self, element: Element, at: int) -> tuple[list[int], list[int], int]:
-        """Starts and lengths of the properties of the row at byte `at`, and where it ends."""
-        starts, lengths = [], []
-        for entry in element.properties:
-            length = 1
-            if entry.length_type is not None:
-                after = at + int(entry.length_type[1])
-                signed = entry.length_type[0] == "i"
-                length = int.from_bytes(self._data[at:after], self._endian, signed=signed)
-                at = after
-            starts.append(at)
-            lengths.append(length)
-            at += length * int(entry.type[1])
-            if length < 0 or at > len(self._data):
+    def _list_lengths(self, element: Element, rows: int) -> tuple[list[int], int]:
+        """The length of every list in the next rows, and where these end.
+
+        Row by row, for each starts where the one before ends.
+        """
+        data, endian, at = self._data, self._endian, self._at
+        lists, rest = _gaps(element)
+        lengths = []
+        for _ in range(rows):
+            for gap, width, signed, size in lists:
+                at += gap + width
+                length = int.from_bytes(data[at - width : at], endian, signed=signed)
+                lengths.append(length)
+                at += length * size if length >= 0 else len(data)
+            at += rest
+            if at > len(data):
                 raise MeshError(
                     f"{self._name}: the file ends early or is damaged, expected {element.count} "
                     f"rows of {element.name!r}"
                 )
-        return starts, lengths, at
+        return lengths, at
+
+    def _layout(self, element: Element, lists: list[int]) -> Layout:
+        """Of the next rows, which have lists of these lengths."""
+        head = np.array([int(e.length_type[1]) if e.length_type else 0 for e in element.properties])
+        size = np.array([int(entry.type[1]) for entry in element.properties])
+        count = np.count_nonzero(head)
+        lengths = np.ones((len(lists) // count if count else 1, len(head)), dtype=np.int64)
+        lengths[:, head > 0] = np.reshape(lists, (-1, count)) if count else 1
+        taken = head + lengths * size
+        ends = self._at + np.cumsum(taken).reshape(taken.shape)
+        return Layout(ends - taken + head, lengths)
 
     def _gather(self, starts: IntArray, lengths: IntArray, kind: str) -> NDArray[Any]:
         """All numbers of lists that start at these bytes, one after another."""
@@ -123,3 +132,17 @@ class BinaryBody(Body):
         at = first + size * np.arange(len(first))
         stored = np.dtype(kind).newbyteorder(self._endian)
         return np.asarray(self._bytes[at[:, None] + np.arange(size)].view(stored)[:, 0])
+
+
+def _gaps(element: Element) -> tuple[list[tuple[int, int, bool, int]], int]:
+    """For each list the bytes before it, those of its length, whether that has a sign, and those
+    of an entry; and the bytes after the last list."""
+    lists, gap = [], 0
+    for entry in element.properties:
+        if entry.length_type is None:
+            gap += int(entry.type[1])
+        else:
+            kind = entry.length_type
+            lists.append((gap, int(kind[1]), kind[0] == "i", int(entry.type[1])))
+            gap = 0
+    return lists, gap

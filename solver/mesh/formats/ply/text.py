@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -17,14 +17,14 @@ from solver.mesh.formats.text.splice import Replacement, spliced
 from solver.mesh.progress import Progress
 from solver.types import BoolArray, FloatArray, IntArray
 
+Found = TypeVar("Found")
+
 
 class Cells(NamedTuple):
-    """One property in some lines: its first word in each and how many it has there, (l,), and the
-    numbers one after another."""
+    """One property in some lines: its first word in each and how many it has there, (l,)."""
 
     first: IntArray
     size: IntArray
-    numbers: FloatArray | IntArray
 
 
 class TextBody(Body):
@@ -38,16 +38,18 @@ class TextBody(Body):
     def columns(self, element: Element, names: Sequence[str]) -> FloatArray:
         chosen = [element.position(name) for name in names]
         parts = [
-            np.stack([cells[k].numbers for k in chosen], axis=1) for _, cells in self._rows(element)
+            np.stack([found[k] for k in chosen], axis=1) for _, found in self._rows(element, _read)
         ]
         return np.concatenate([np.empty((0, len(names))), *parts])
 
     def lists(self, element: Element, name: str) -> Lists:
-        chosen = element.position(name)
-        parts = [cells[chosen] for _, cells in self._rows(element)]
+        k = element.position(name)
         none = np.empty(0, dtype=np.int64)
-        sizes = np.concatenate([none, *(part.size for part in parts)])
-        return sizes, np.concatenate([none, *(part.numbers.astype(np.int64) for part in parts)])
+        sizes, entries = [none], [none]
+        for lines, found in self._rows(element, _read):
+            sizes.append(_cells(lines, element)[k].size)
+            entries.append(found[k].astype(np.int64))
+        return np.concatenate(sizes), np.concatenate(entries)
 
     def skip(self, element: Element) -> None:
         for _ in self._lines(element):
@@ -65,23 +67,25 @@ class TextBody(Body):
         order = np.argsort([element.position(name) for name in names])
         chosen = [element.position(names[k]) for k in order]
         done = 0
-        for block_lines, cells in self._rows(element):
-            rows = slice(done, done + len(block_lines))
+        for lines, cells in self._rows(element, _cells):
+            rows = slice(done, done + len(lines))
             done = rows.stop
             these = changed[rows][:, order]
             words = np.stack([cells[k].first for k in chosen], axis=1)[these]
-            starts, stops = block_lines.block.places(words), block_lines.block.ends(words)
+            starts, stops = lines.block.places(words), lines.block.ends(words)
             yield Replacement(starts, stops, values[rows][:, order][these])
 
-    def _rows(self, element: Element) -> Iterator[tuple[Lines, list[Cells]]]:
-        """The lines of the element and their properties."""
+    def _rows(
+        self, element: Element, read: Callable[[Lines, Element], Found]
+    ) -> Iterator[tuple[Lines, Found]]:
+        """The lines of the element and what `read` finds in them."""
         flaw = None
         for lines in self._lines(element):
             if flaw is None:
                 try:
-                    yield lines, _read(lines, element)
+                    yield lines, read(lines, element)
                 except (ValueError, OverflowError):
-                    bad = first_failing(lines, lambda some: _read(some, element))
+                    bad = first_failing(lines, lambda some: read(some, element))
                     names = " ".join(entry.name for entry in element.properties)
                     flaw = Flaw(0, int(lines.places[bad]), f"expected {element.name!r}: {names}")
         if flaw is not None:
@@ -99,8 +103,8 @@ class TextBody(Body):
             )
 
 
-def _read(lines: Lines, element: Element) -> list[Cells]:
-    """Every property of the element. Raises ValueError or OverflowError."""
+def _cells(lines: Lines, element: Element) -> list[Cells]:
+    """Where every property of the element lies. Raises ValueError or OverflowError."""
     at, end = lines.first, lines.first + lines.count
     cells = []
     for entry in element.properties:
@@ -109,12 +113,20 @@ def _read(lines: Lines, element: Element) -> list[Cells]:
             _check(end - at >= 1)
             size, at = whole_numbers(lines.block.joined(at, at)), at + 1
         _check((size >= 0) & (size <= end - at))
-        filled = size > 0
-        text = lines.block.joined(at[filled], (at + size - 1)[filled])
-        read = whole_numbers if entry.length_type and entry.type[0] != "f" else numbers
-        cells.append(Cells(at, size, read(text)))
+        cells.append(Cells(at, size))
         at = at + size
     return cells
+
+
+def _read(lines: Lines, element: Element) -> list[FloatArray | IntArray]:
+    """The numbers of every property, one after another. Raises ValueError or OverflowError."""
+    result = []
+    for entry, (first, size) in zip(element.properties, _cells(lines, element), strict=True):
+        filled = size > 0
+        text = lines.block.joined(first[filled], (first + size - 1)[filled])
+        read = whole_numbers if entry.length_type and entry.type[0] != "f" else numbers
+        result.append(read(text))
+    return result
 
 
 def _check(fits: BoolArray) -> None:
