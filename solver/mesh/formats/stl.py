@@ -78,8 +78,16 @@ def _read_text(data: bytes, name: str, progress: Progress) -> FloatArray:
 def _weld(corners: FloatArray) -> tuple[FloatArray, IntArray]:
     """(3 m, 3) corners -> vertices in the order they first appear, and triangles."""
     # Adding zero makes -0.0 and 0.0 the same place.
-    _, first, inverse = np.unique(corners + 0.0, axis=0, return_index=True, return_inverse=True)
-    order = np.argsort(first)
-    rank = np.empty(len(order), dtype=np.int64)
-    rank[order] = np.arange(len(order))
-    return corners[first[order]], rank[inverse.ravel()].reshape(-1, 3)
+    place = corners + 0.0
+    order = np.lexsort(place.T)
+    place = place[order]
+    differs = np.ones(len(place), dtype=bool)
+    differs[1:] = (place[1:] != place[:-1]).any(axis=1)
+    # The sort is stable: of corners in one place the first comes first.
+    first = order[differs]
+    by_appearance = np.argsort(first)
+    rank = np.empty(len(first), dtype=np.int64)
+    rank[by_appearance] = np.arange(len(first))
+    vertex = np.empty(len(corners), dtype=np.int64)
+    vertex[order] = rank[np.cumsum(differs) - 1]
+    return corners[first[by_appearance]], vertex.reshape(-1, 3)

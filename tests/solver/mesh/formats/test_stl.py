@@ -48,6 +48,7 @@ def test_stl_takes_plus_and_minus_zero_for_one_place(tmp_path: Path) -> None:
         (STL[:80], "ends early, got 2 vertices for 1 facets"),
         (STL.replace(b"1 0 0", b"1 x 0"), "line 5: expected three numbers x y z"),
         (STL.replace(b"1 0 0", b"1 inf 0"), "line 5: expected finite coordinates"),
+        (b"solid facet\nendsolid", "no faces, expected at least one"),
         (STL + b"\0", "binary data, expected an STL mesh"),
     ],
 )
