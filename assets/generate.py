@@ -1,4 +1,4 @@
-"""Writes every mesh of this folder and the default session: `python -m assets.generate`."""
+"""Writes every mesh of this folder and the sessions: `python -m assets.generate`."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ import numpy as np
 
 from assets.generator import figure
 from assets.generator.cactus import cactus
+from assets.generator.character.dressed import dressed, dressed_session
 from assets.generator.elbow import session_text
-from assets.generator.objtext import quad_text, triangle_text
+from assets.generator.objtext import parts_text, quad_text, triangle_text
 from assets.generator.primitives import bar, bumpy_plane, cylinder
 from assets.generator.quads import dog
 from assets.generator.surface import Enlargement, polygonise, remesh
@@ -55,6 +56,9 @@ def main() -> None:
     V = np.round(V, 6)
     write("mannequin.obj", triangle_text("A human figure in T-pose, y up, facing +z", V, F))
     write("mannequin-elbow.json", session_text("mannequin.obj", V, F))
+    parts = dressed(V, F)
+    write("dressed.obj", parts_text("A dressed figure of many pieces, y up, facing +z", parts))
+    write("dressed-elbow.json", dressed_session("dressed.obj", parts))
     write("arm.obj", triangle_text("An arm with its hand, along x", *arm()))
     write("bar.obj", triangle_text("A bar of square section, along x", *bar()))
     write("cylinder.obj", triangle_text("A closed cylinder, along x", *cylinder()))

@@ -10,7 +10,7 @@ from app.model.session import FORMAT, VERSION
 from assets.generator.figure import ELBOW, WRIST
 from solver.geometry.bounding_box import diagonal
 from solver.softness.falloff import falloff
-from solver.types import FloatArray, IntArray
+from solver.types import BoolArray, FloatArray, IntArray
 
 FIXED_BELOW = 0.25
 SOFT_REACH = 0.08
@@ -23,13 +23,19 @@ def softness(V: FloatArray) -> FloatArray:
     return np.round(falloff((V[:, 0] - ELBOW) / reach), 4) + 0.0
 
 
-def session_text(mesh_name: str, V: FloatArray, F: IntArray) -> str:
-    """A session file for the mannequin, one line for each list."""
+def session_text(
+    mesh_name: str, V: FloatArray, F: IntArray, fixable: BoolArray | None = None
+) -> str:
+    """A session file for the figure, one line for each list.
+
+    fixable: (n,) which vertices may be fixed; what is worn follows. None for all.
+    """
+    body = V[:, 0] < FIXED_BELOW
     entries = {
         "format": FORMAT,
         "version": VERSION,
         "mesh": {"path": mesh_name, "vertices": len(V), "faces": len(F)},
-        "fixed": np.flatnonzero(V[:, 0] < FIXED_BELOW).tolist(),
+        "fixed": np.flatnonzero(body if fixable is None else body & fixable).tolist(),
         "handles": [
             {
                 "name": "hand",

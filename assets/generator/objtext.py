@@ -1,19 +1,22 @@
-"""OBJ text with six decimals."""
+"""OBJ text with six decimals; five for the many pieces of one character."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
+from assets.generator.character.seams import Part
 from assets.generator.quads import QuadMesh, vertex_normals
 from solver.types import FloatArray, IntArray
 
 PROGRAM = "made by assets/generate.py"
 
 
-def _lines(tag: str, rows: FloatArray) -> list[str]:
+def _lines(tag: str, rows: FloatArray, decimals: int = 6) -> list[str]:
     # Adding 0.0 turns a rounded -0.0 into 0.0.
-    numbers = np.round(rows, 6) + 0.0
-    return [f"{tag} " + " ".join(f"{x:.6f}" for x in row) for row in numbers.tolist()]
+    numbers = np.round(rows, decimals) + 0.0
+    return [f"{tag} " + " ".join(f"{x:.{decimals}f}" for x in row) for row in numbers.tolist()]
 
 
 def triangle_text(title: str, V: FloatArray, F: IntArray) -> str:
@@ -35,4 +38,16 @@ def quad_text(title: str, mesh: QuadMesh) -> str:
             (mesh.Q + 1)[mesh.group == number], corner[mesh.group == number], strict=True
         ):
             lines.append("f " + " ".join(f"{v}/{k}/{v}" for v, k in zip(q, t, strict=True)))
+    return "\n".join((*lines, ""))
+
+
+def parts_text(title: str, parts: Sequence[Part]) -> str:
+    """OBJ of named parts, an object and a material each; every vertex has one UV."""
+    lines = [f"# {title}", f"# {PROGRAM}"]
+    before = 1
+    for part in parts:
+        lines += [f"o {part.name}", *_lines("v", part.V, 5), *_lines("vt", part.uv, 4)]
+        lines += [f"usemtl {part.material}", "s 1"]
+        lines += [f"f {a}/{a} {b}/{b} {c}/{c}" for a, b, c in (part.F + before).tolist()]
+        before += len(part.V)
     return "\n".join((*lines, ""))

@@ -1,4 +1,4 @@
-"""From an implicit solid to an even triangle mesh: marching cubes, remeshing, projection."""
+"""From an implicit solid to an even triangle mesh: marching cubes, remeshing, relaxation."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import gpytoolbox  # type: ignore[import-untyped, import-not-found]
 import numpy as np
-from scipy.sparse import coo_matrix, diags_array
 from skimage.measure import marching_cubes
 
-from assets.generator.implicit import Field, gradient, project
+from assets.generator.implicit import Field, project
+from assets.generator.relaxation import relax
 from solver.types import FloatArray, IntArray
 
 BLOCK = 4
@@ -92,17 +92,3 @@ def remesh(
     for part in reversed(detail):
         V = part.backward(V)
     return relax(field, project(field, V), F), F.astype(np.int64)
-
-
-def relax(field: Field, V: FloatArray, F: IntArray, rounds: int = 8) -> FloatArray:
-    """Evens out triangles: each vertex slides on the surface towards its neighbours' mean."""
-    sides = np.concatenate((F, F[:, [1, 2, 0]], F[:, [2, 0, 1]]))[:, :2]
-    A = coo_matrix((np.ones(len(sides)), sides.T), shape=(len(V), len(V))).tocsr()
-    mean = diags_array(1 / np.asarray(A.sum(axis=1)).ravel()) @ A
-    for _ in range(rounds):
-        normal = gradient(field, V)
-        normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-        step = mean @ V - V
-        step -= (step * normal).sum(axis=1, keepdims=True) * normal
-        V = project(field, V + 0.5 * step, rounds=2)
-    return V
