@@ -152,5 +152,5 @@ class Document:
     @cached_property
     def diagonal(self) -> float:
         """Length of the bounding box's diagonal at rest, over the vertices that faces use."""
-        used = self.mesh.vertices[np.unique(self.mesh.faces)]
+        used = self.mesh.vertices[self.mesh.pieces >= 0]
         return float(np.linalg.norm(np.ptp(used, axis=0)))
