@@ -33,8 +33,12 @@ class Joints:
         axes = np.arange(3)
         first, second = (frames[:, [side]] + axes for side in (0, 1))
         high, low = np.maximum(first, second), np.minimum(first, second)
-        self.rows = np.concatenate([np.maximum(one, two), first, second, high], axis=1).ravel()
-        self.columns = np.concatenate([np.minimum(one, two), first, second, low], axis=1).ravel()
+        self.rows: IntArray = np.concatenate(
+            [np.maximum(one, two), first, second, high], axis=1
+        ).ravel()
+        self.columns: IntArray = np.concatenate(
+            [np.minimum(one, two), first, second, low], axis=1
+        ).ravel()
         self.links = np.column_stack([attachments.own_face, attachments.face])
         self.faces = np.unique(self.links)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 
+from solver.arrays import Array
 from solver.factor import Analysis, Factor, analyse
 from solver.geometry.cotangent_weights import ElementWeights
 from solver.linear.assembly import Pattern, symmetric
@@ -29,8 +30,8 @@ class Structure:
         strained[self.joints.faces] = True
         self.active = np.flatnonzero(strained)
         self.pattern = Pattern(rest.topology, strained)
-        self.rows = np.concatenate([self.pattern.rows, self.joints.rows])
-        self.columns = np.concatenate([self.pattern.columns, self.joints.columns])
+        self.rows: IntArray = _joined(self.pattern.rows, self.joints.rows)
+        self.columns: IntArray = _joined(self.pattern.columns, self.joints.columns)
         number = np.full(self.size, -1)
         number[self.free] = np.arange(len(self.free))
         rows, columns = number[self.rows], number[self.columns]
@@ -63,12 +64,8 @@ class System:
     ) -> None:
         self._rest, self._structure, self._weights = rest, structure, weights
         self._bending_length = bending_length
-        self._values = np.concatenate(
-            [
-                structure.pattern.values(rest.energy, weights),
-                structure.joints.values(bending_length),
-            ]
-        )
+        own = structure.pattern.values(rest.energy, weights)
+        self._values = _joined(own, structure.joints.values(bending_length))
         self.free = structure.free
         self.active = structure.active
         self.factor: Factor = structure.analysis.factor(self._values[structure.inner])
@@ -107,6 +104,11 @@ class System:
         size = self._structure.size
         rows, columns = self._structure.rows[which], self._structure.columns[which]
         return symmetric(rows, columns, self._values[which], (size, size))
+
+
+def _joined(one: Array, two: Array) -> Array:
+    """One array after the other; most surfaces have one piece, and nothing to copy."""
+    return np.concatenate([one, two]) if len(two) else one
 
 
 def _strained(rest: RestSurface, constraints: Constraints) -> BoolArray:
