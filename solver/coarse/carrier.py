@@ -10,6 +10,7 @@ import scipy.sparse as sp
 from solver.coarse.closest import NearbySurface
 from solver.coarse.simplification import Simplification, simplify
 from solver.factor import minimum_degree
+from solver.geometry.cross_products import triangle_areas
 from solver.geometry.topology import Topology
 from solver.linear.rest_surface import RestSurface
 from solver.surface.attachments import Attachments
@@ -63,8 +64,7 @@ class Carrier:
     def vertex_means(self) -> sp.csr_array:
         """(c, k) the mean over a coarse vertex's triangles, by area."""
         faces, P = self.coarse.faces, self.coarse.points
-        a, b, c = (P[corner] for corner in faces.T)
-        area = np.linalg.norm(np.cross(b - a, c - a), axis=1) + np.finfo(float).tiny
+        area = triangle_areas(P, faces) + np.finfo(float).tiny
         index = faces.ravel(), np.repeat(np.arange(len(faces)), 3)
         shape = (len(P), len(faces))
         sums = sp.csr_array(sp.coo_array((np.repeat(area, 3), index), shape=shape))

@@ -11,7 +11,7 @@ from solver.coarse.border import Border
 from solver.coarse.carrier import Carrier
 from solver.coarse.fine_poisson import FineStructure
 from solver.coarse.restriction import coarse_groups
-from solver.linear.constraints import attached_bodies
+from solver.linear.constraints import attached_bodies, attachments_in_force, held_bodies
 from solver.setup import FREE, Setup
 from solver.types import FloatArray, IntArray
 
@@ -42,13 +42,9 @@ class Held:
     def structure(self) -> FineStructure:
         """The fine Poisson problem, before any material."""
         rest = self._carrier.fine
-        possible = rest.attachments
-        count = int(rest.pieces.max()) + 1
-        attachments = possible.where(self.setup.follows(possible.follower, count))
+        attachments = attachments_in_force(rest, self.setup)
         body = attached_bodies(rest, attachments)
-        held = np.zeros(int(body.max()) + 1, dtype=bool)
-        held[body[self.group != FREE]] = True
-        free = np.flatnonzero((self.group == FREE) & held[body])
+        free = np.flatnonzero((self.group == FREE) & held_bodies(body, self.group)[body])
         return FineStructure(rest, free, attachments, self._carrier.elimination_order)
 
     def goals(self, handle_count: int) -> FloatArray:

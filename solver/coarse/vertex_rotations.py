@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from solver.coarse.carrier import Carrier
 from solver.factor import Factor, factorize
+from solver.geometry.cross_products import triangle_areas, vertex_areas
 from solver.geometry.laplacian import cotangent_laplacian
 from solver.geometry.rotations import nearest_rotations
 from solver.types import FloatArray, IntArray
@@ -32,10 +33,8 @@ class VertexRotations:
     def _smoothing(self) -> tuple[FloatArray, Factor]:
         """Areas M (c,) around vertices and a factor of M + t L, t half a squared edge."""
         rest = self._carrier.coarse
-        a, b, c = (rest.points[corner] for corner in rest.faces.T)
-        double = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-        sixths = np.repeat(double / 6, 3)
-        area = np.bincount(rest.faces.ravel(), sixths, len(rest.points)).astype(np.float64)
+        areas = triangle_areas(rest.points, rest.faces)
+        area = vertex_areas(areas, rest.faces, len(rest.points))
         edges = rest.topology.edges
         squared = ((rest.points[edges[:, 1]] - rest.points[edges[:, 0]]) ** 2).sum(axis=1)
         area = area + 1e-9 * area.mean()

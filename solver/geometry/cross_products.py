@@ -23,3 +23,9 @@ def area_vectors(X: FloatArray, F: IntArray) -> FloatArray:
 def triangle_areas(X: FloatArray, F: IntArray) -> FloatArray:
     """(m,) the area of each triangle of the surface (X, F)."""
     return np.asarray(np.linalg.norm(area_vectors(X, F), axis=1))
+
+
+def vertex_areas(areas: FloatArray, F: IntArray, vertex_count: int) -> FloatArray:
+    """(n,) a third of the areas (m,) of the triangles F around each vertex."""
+    thirds = np.repeat(areas / 3, 3)
+    return np.bincount(F.ravel(), thirds, vertex_count).astype(np.float64)

@@ -41,18 +41,29 @@ def build_constraints(rest: RestSurface, setup: Setup) -> Constraints:
     Raises ConstraintError, see Setup.groups.
     """
     group = setup.groups(len(rest.vertices))
-    possible = rest.attachments
-    count = int(rest.pieces.max()) + 1
-    attachments = possible.where(setup.follows(possible.follower, count))
+    attachments = attachments_in_force(rest, setup)
     body = attached_bodies(rest, attachments)
-    held = np.zeros(int(body.max()) + 1, dtype=bool)
-    held[body[group != FREE]] = True
+    held = held_bodies(body, group)
     oriented = group != FREE if setup.orientation else _underdetermined(rest, group)
     face_group = _face_groups(rest, group, oriented)
     row_group = rest.rows(group, face_group)
     row_body = rest.rows(body, body[rest.faces[:, 0]])
     free = np.flatnonzero((row_group == FREE) & held[row_body])
     return Constraints(setup.handles, row_group, free, attachments, row_body, held)
+
+
+def attachments_in_force(rest: RestSurface, setup: Setup) -> Attachments:
+    """Those of the pieces that follow. Raises ConstraintError, see Setup.follows."""
+    possible = rest.attachments
+    count = int(rest.pieces.max()) + 1
+    return possible.where(setup.follows(possible.follower, count))
+
+
+def held_bodies(body: IntArray, group: IntArray) -> BoolArray:
+    """(bodies,) whether a group holds a vertex of each, for the body and group (n,) of each."""
+    held = np.zeros(int(body.max()) + 1, dtype=bool)
+    held[body[group != FREE]] = True
+    return held
 
 
 def attached_bodies(rest: RestSurface, attachments: Attachments) -> IntArray:

@@ -10,6 +10,7 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.csgraph import minimum_spanning_tree
 
+from solver.geometry.cross_products import triangle_areas, vertex_areas
 from solver.geometry.topology import Topology
 from solver.surface.attachments import Attachments, joined
 from solver.types import FloatArray, IntArray
@@ -57,7 +58,7 @@ class _Pieces:
         self.triangles = _split(piece[faces[:, 0]], count)
         self.low = np.array([P[v].min(axis=0) for v in self.vertices])
         self.high = np.array([P[v].max(axis=0) for v in self.vertices])
-        area = [float(_areas(P, faces[t]).sum()) for t in self.triangles]
+        area = [float(triangle_areas(P, faces[t]).sum()) for t in self.triangles]
         self.rank = np.argsort(np.argsort(-np.array(area), kind="stable"))
 
     def near(self, larger: int) -> list[_Near]:
@@ -155,17 +156,11 @@ def _terms(pieces: _Pieces, pair: _Near, own_face: IntArray, area: FloatArray) -
 def _largest_faces(P: FloatArray, topology: Topology) -> tuple[IntArray, FloatArray]:
     """(n,) the largest triangle at each vertex, and a third of the area of all of them."""
     faces = topology.faces
-    area = _areas(P, faces)
+    area = triangle_areas(P, faces)
     order = np.argsort(area, kind="stable")
     own = np.zeros(topology.vertex_count, dtype=np.int64)
     own[faces[order].ravel()] = np.repeat(order, 3)  # the last one written is the largest
-    third = np.repeat(area / 3, 3)
-    return own, np.bincount(faces.ravel(), third, topology.vertex_count).astype(np.float64)
-
-
-def _areas(P: FloatArray, faces: IntArray) -> FloatArray:
-    a, b, c = (P[corner] for corner in faces.T)
-    return np.asarray(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1))
+    return own, vertex_areas(area, faces, topology.vertex_count)
 
 
 def _barycentric(corners: FloatArray, points: FloatArray) -> FloatArray:
