@@ -187,8 +187,8 @@ class ProcessWorker:
         if job is None:
             return
         result = result_of(job.request, answer)
-        if isinstance(result, Bound):
-            self._known = result.request.version
+        if isinstance(job.request, BindRequest):  # one that fails leaves none to be refined
+            self._known = job.request.version if isinstance(result, Bound) else None
         if job.wanted:
             self._deaths = 0
             if not (isinstance(result, Failure) and self._superseded(job)):

@@ -1,4 +1,4 @@
-"""Where requests are met: keeps the deformer of the last bind and works with it.
+"""Where requests are met: keeps the deformer of the last bind, or what can be shared of it.
 
 Binding is everything between a finished stroke and a surface that can be dragged.
 """
@@ -17,7 +17,7 @@ from solver.errors import SolverError
 from solver.linear.drag_model import DragModel
 from solver.types import FloatArray
 
-Last = tuple[BindRequest, Deformer]
+Last = tuple[int, Deformer]  # the number of the mesh, and what is bound of it
 
 
 def bind(request: BindRequest, last: Last | None = None) -> Deformer:
@@ -26,7 +26,7 @@ def bind(request: BindRequest, last: Last | None = None) -> Deformer:
     Raises OutOfMemory before it is tried, or what binding raises.
     """
     check_memory(len(request.vertices), request.setup.coarse)
-    if last is None or last[0].mesh != request.mesh:
+    if last is None or last[0] != request.mesh:
         deformer = Deformer.of(request.vertices, request.faces, request.setup)
     else:
         deformer = last[1].rebound(request.setup)
@@ -37,11 +37,28 @@ def bind(request: BindRequest, last: Last | None = None) -> Deformer:
     return deformer
 
 
+def released(last: Last | None, request: BindRequest) -> Last | None:
+    """What of the last bind a request can share, without a factor that it cannot.
+
+    The caller lets go of the last one: two factors of a large mesh would not fit into memory.
+    """
+    if last is None or last[0] != request.mesh:
+        return None
+    mesh, deformer = last
+    if request.setup.holds_as(deformer.setup):
+        return last
+    return mesh, deformer.rebound(deformer.setup.changed(fixed=(), handles=()))
+
+
 class SolverService:
-    """Meets one request after the other. A bind that fails leaves the last one in use."""
+    """Meets one request after the other, and never has the factors of two binds at once.
+
+    A bind that fails may leave none: the bind in use is then asked for once more.
+    """
 
     def __init__(self) -> None:
-        self._last: Last | None = None
+        self._shared: Last | None = None
+        self._version: int | None = None  # of the bind that can be refined
 
     def answer(self, request: Request) -> Answer:
         """Do what is asked; whatever goes wrong is the answer."""
@@ -62,8 +79,11 @@ class SolverService:
         return Answer(value, seconds, self._first_pose(request, value))
 
     def _bind(self, request: BindRequest) -> DragModel:
-        deformer = bind(request, self._last)
-        self._last = request, deformer
+        shared = released(self._shared, request)
+        if shared is not self._shared:
+            self._shared, self._version = shared, None
+        deformer = bind(request, shared)
+        self._shared, self._version = (request.mesh, deformer), request.version
         return deformer.drag_model
 
     def _first_pose(self, request: Request, value: object) -> Answer | None:
@@ -78,6 +98,6 @@ class SolverService:
         return self.answer(request.first_pose)
 
     def _refine(self, request: RefineRequest) -> FloatArray:
-        if self._last is None or self._last[0].version != request.version:
+        if self._shared is None or self._version != request.version:
             raise WorkerError(f"bind {request.version} is asked for, which is not the last one")
-        return self._last[1].pose(list(request.transforms), rigid=request.rigid)
+        return self._shared[1].pose(list(request.transforms), rigid=request.rigid)

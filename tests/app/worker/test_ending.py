@@ -112,7 +112,7 @@ def test_the_process_knows_no_window_and_its_start_holds_nobody_up() -> None:
 def test_sharing_the_last_bind_does_not_change_the_surface(change: str) -> None:
     made = document()
     first = bind_request(made)
-    last = first, bind(first)
+    last = first.mesh, bind(first)
     middle = np.flatnonzero(np.abs(made.mesh.vertices[:, 0] - 6) < 2)
     if change == "softness":
         made.change("softness", 1.0, middle)
@@ -131,5 +131,5 @@ def test_sharing_the_last_bind_does_not_change_the_surface(change: str) -> None:
 
 def test_another_mesh_is_bound_from_scratch() -> None:
     first, other = bind_request(document()), bind_request(document(7))
-    X = bind(other, (first, bind(first))).pose([np.eye(4)])
+    X = bind(other, (first.mesh, bind(first))).pose([np.eye(4)])
     np.testing.assert_array_equal(X, other.vertices)

@@ -14,6 +14,7 @@ from app.worker.requests import (
 from app.worker.service import SolverService
 from app.worker.snapshot import bind_request
 from solver import MaterialError
+from solver.setup import FREE
 from tests.app.inline import InlineWorker
 from tests.app.worker.work import (
     document,
@@ -43,6 +44,25 @@ def test_a_failure_arrives_typed_and_leaves_the_last_bind_in_use(kind: str) -> N
     assert isinstance(refined, Refined)
     np.testing.assert_allclose(refined.positions, expected(first, wish), atol=1e-12)
     used.close()
+
+
+def test_after_a_failure_that_let_go_of_the_last_bind_it_is_bound_once_more(
+    solver_process: ProcessWorker,
+) -> None:
+    made = document()
+    first = bind_request(made)
+    solver_process.request(first)
+    results(solver_process)
+    made.change("softness", 2.0, np.array([0]))
+    made.change("role", FREE, first.setup.fixed[:1])
+    solver_process.request(bind_request(made))
+    (failure,) = results(solver_process)
+    assert isinstance(failure, Failure)
+    wish = refinement(first)
+    solver_process.request(wish)
+    (refined,) = results(solver_process)
+    assert isinstance(refined, Refined)
+    np.testing.assert_allclose(refined.positions, expected(first, wish), atol=1e-12)
 
 
 def test_any_other_error_arrives_as_one_of_the_worker(capfd: pytest.CaptureFixture[str]) -> None:

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import weakref
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from app.worker import memory
+from app.worker import memory, service
 from app.worker.memory import OutOfMemory, bind_bytes, check_memory, free_bytes
-from app.worker.service import SolverService
+from app.worker.requests import BindRequest
+from app.worker.service import Last, SolverService, bind
 from app.worker.snapshot import bind_request
+from solver import Deformer
+from solver.linear.drag_model import DragModel
+from solver.setup import FREE
 from tests.app.worker.work import document
 
 
@@ -45,3 +51,27 @@ def test_the_person_gets_it_as_the_answer(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setattr(memory, "free_bytes", lambda: 0.0)
     monkeypatch.setattr(memory, "ALWAYS", 0)
     assert isinstance(SolverService().answer(bind_request(document())).value, OutOfMemory)
+
+
+@pytest.mark.parametrize("change", ["handle", "mesh"])
+def test_two_factors_are_never_in_memory_at_once(
+    monkeypatch: pytest.MonkeyPatch, change: str
+) -> None:
+    factors: list[weakref.ref[object]] = []
+    alive: list[int] = []
+
+    def watched(request: BindRequest, last: Last | None) -> Deformer:
+        alive.append(sum(factor() is not None for factor in factors))
+        deformer = bind(request, last)
+        factors.append(weakref.ref(deformer.system.factor))
+        return deformer
+
+    monkeypatch.setattr(service, "bind", watched)
+    made, used = document(), SolverService()
+    used.answer(bind_request(made))
+    if change == "mesh":
+        made = document(14)
+    else:
+        made.change("role", FREE, np.array([0]))
+    assert isinstance(used.answer(bind_request(made)).value, DragModel)
+    assert alive == [0, 0]
