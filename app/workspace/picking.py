@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import igl
 import numpy as np
+from scipy.spatial import cKDTree
 
 from app.workspace.camera import Ray
+from solver.geometry.cross_products import cross
 from solver.types import FloatArray, IntArray
 
-# libigl takes a triangle for parallel to the ray below a fixed threshold of its own, and a small
-# or finely meshed file would have nothing but such triangles: ask at this size instead.
-SIZE = 1e6
-# A ray exactly through an edge can slip between its two triangles, so three more go beside it,
-# at this distance (a millionth of the mesh's size, far below a pixel).
-BESIDE = 1.0
+# Triangles in a block: with fewer there are more spheres to ask, with more more triangles.
+BLOCK = 64
+# Spheres are wider than they need to be by this much, so that rounding never leaves one out.
+SLACK = 1.0 + 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,71 +32,85 @@ class Hit:
 
 
 class Picker:
-    """Ray queries against triangles `faces` (m, 3) whose corners move from time to time.
+    """Ray queries against triangles whose corners move from time to time.
 
-    The tree is rebuilt when a query comes with other positions than the last one (a new array),
-    so moving the surface costs nothing as long as nobody points at it.
+    Triangles that lie together at rest are one block, and stay one wherever they go: when a query
+    comes with other positions than the last one (a new array), only the spheres around the blocks
+    are found again. A tree would be built again, which takes ten times as long.
     """
 
-    def __init__(self, faces: IntArray) -> None:
-        self._faces = np.ascontiguousarray(faces, dtype=np.int64)
-        # A stray vertex may lie anywhere. Counting is ten times as fast as finding what is unique.
-        self._used = np.flatnonzero(np.bincount(self._faces.ravel()))
+    def __init__(self, vertices: FloatArray, faces: IntArray) -> None:
+        """vertices: (n, 3) at rest.  faces: (m, 3), those that can be hit."""
+        self._faces = faces
+        self._blocks: IntArray = np.empty((0, BLOCK), dtype=np.int64)
+        if len(faces):
+            centroids = vertices[faces].mean(axis=1)
+            tree = cKDTree(centroids, leafsize=BLOCK, compact_nodes=False, balanced_tree=False)
+            filled = np.pad(tree.indices, (0, -len(faces) % BLOCK), mode="edge")
+            self._blocks = filled.reshape(-1, BLOCK)
         self._positions: FloatArray | None = None
 
     def pick(self, ray: Ray, positions: FloatArray) -> Hit | None:
         """The first point of the surface that the ray meets, None when it passes by."""
         if positions is not self._positions:
-            self._build(positions)
-        origin = (ray.origin - self._centre) * self._scale
-        origins = origin + _ring(ray.direction)
-        directions = np.tile(ray.direction, (len(origins), 1))
-        faces, distances, _ = self._tree.intersect_ray_first(
-            self._scaled, self._faces, origins, directions
-        )
-        if (faces < 0).all():
+            self._centres, self._radii = _spheres(positions, self._faces, self._blocks)
+            self._positions = positions
+        near = self._blocks[_met(ray, self._centres, self._radii)].ravel()
+        found = _first(ray, positions, self._faces[near])
+        if found is None:
             return None
-        nearest = int(np.argmin(np.where(faces < 0, np.inf, distances)))
-        return self._hit(ray, int(faces[nearest]), float(distances[nearest]) / self._scale)
-
-    def _build(self, positions: FloatArray) -> None:
-        used = positions[self._used]
-        low, high = used.min(axis=0), used.max(axis=0)
-        self._centre = (low + high) / 2
-        self._scale = SIZE / max(float(np.linalg.norm(high - low)), np.finfo(float).tiny)
-        self._scaled = (positions - self._centre) * self._scale
-        self._tree = igl.AABB()
-        self._tree.init(self._scaled, self._faces)
-        self._positions = positions
-
-    def _hit(self, ray: Ray, face: int, distance: float) -> Hit:
-        """The point of the face at this distance, of which libigl gives single precision."""
-        assert self._positions is not None
-        corners = self._positions[self._faces[face]]
-        barycentric = _barycentric(corners, ray.at(distance))
-        position = barycentric @ corners
-        away = ((corners - position) ** 2).sum(axis=1)
-        vertex = int(self._faces[face, np.argmin(away)])
-        along = float((position - ray.origin) @ ray.direction)
-        return Hit(face, barycentric, position, vertex, along)
+        number, barycentric, distance = found
+        corners = self._faces[near[number]]
+        position = barycentric @ positions[corners]
+        away = ((positions[corners] - position) ** 2).sum(axis=1)
+        vertex = int(corners[np.argmin(away)])
+        return Hit(int(near[number]), barycentric, position, vertex, distance)
 
 
-def _ring(direction: FloatArray) -> FloatArray:
-    """(4, 3) offsets across the direction: none, and the corners of a small triangle."""
-    helper = np.eye(3)[np.argmin(np.abs(direction))]
-    side = np.cross(direction, helper)
+def _spheres(X: FloatArray, faces: IntArray, blocks: IntArray) -> tuple[FloatArray, FloatArray]:
+    """Centres (3, b) and radii (b,) of spheres around the boxes of blocks of triangles."""
+    corners = faces[blocks].reshape(len(blocks), 3 * BLOCK)
+    # One axis after the other: all at once needs nine times the memory, and four times as long.
+    along = [np.ascontiguousarray(x)[corners] for x in X.T]
+    low, high = (np.stack([x.min(axis=1) for x in along]), np.stack([x.max(axis=1) for x in along]))
+    return 0.5 * (low + high), 0.5 * SLACK * np.linalg.norm(high - low, axis=0)
+
+
+def _met(ray: Ray, centres: FloatArray, radii: FloatArray) -> IntArray:
+    """The spheres that a ray meets."""
+    away = centres - ray.origin[:, None]
+    direction = ray.direction[:, None]
+    beside = np.linalg.norm(cross(away, np.broadcast_to(direction, away.shape)), axis=0)
+    ahead = (away * direction).sum(axis=0) + radii >= 0
+    return np.flatnonzero(ahead & (beside <= SLACK * radii))
+
+
+def _first(ray: Ray, X: FloatArray, faces: IntArray) -> tuple[int, FloatArray, float] | None:
+    """Which triangle (k, 3) a ray meets first, where as barycentric weights, and how far away.
+
+    Seen along the ray, twice the signed areas that the ray makes with the edges have one sign.
+    Two triangles find the same number for a common edge, up to its sign: no ray slips between.
+    """
+    side, up = _across(ray.direction)
+    corners = X[faces] - ray.origin
+    # Not by a matrix product: that may round a corner in one triangle and not in the next.
+    x, y, depth = ((corners * axis).sum(axis=2) for axis in (side, up, ray.direction))
+    following, last = [1, 2, 0], [2, 0, 1]
+    areas = x[:, following] * y[:, last] - y[:, following] * x[:, last]
+    total = areas.sum(axis=1)
+    inside = ((areas >= 0).all(axis=1) | (areas <= 0).all(axis=1)) & (total != 0)
+    met = np.flatnonzero(inside)
+    weights = areas[met] / total[met, None]
+    distances = (weights * depth[met]).sum(axis=1)
+    ahead = np.flatnonzero(distances > 0)
+    if len(ahead) == 0:
+        return None
+    nearest = ahead[np.argmin(distances[ahead])]
+    return int(met[nearest]), weights[nearest], float(distances[nearest])
+
+
+def _across(direction: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Two unit vectors across a direction and each other."""
+    side = np.cross(direction, np.eye(3)[np.argmin(np.abs(direction))])
     side /= np.linalg.norm(side)
-    up = np.cross(direction, side)
-    # turned by an odd angle, so that no two of the rays run along the same grid line
-    angles = 0.7 + 2 * np.pi * np.arange(3) / 3
-    ring = BESIDE * (np.cos(angles)[:, None] * side + np.sin(angles)[:, None] * up)
-    return np.vstack([np.zeros(3), ring])
-
-
-def _barycentric(corners: FloatArray, point: FloatArray) -> FloatArray:
-    """(3,) weights of the point of the triangle that is about nearest to `point`, sum 1."""
-    edges = np.column_stack([corners[1] - corners[0], corners[2] - corners[0]])
-    two = np.linalg.lstsq(edges, point - corners[0], rcond=None)[0]
-    weights = np.clip([1 - two.sum(), *two], 0, None)
-    total = weights.sum()
-    return weights / total if total > 0 else np.full(3, 1 / 3)
+    return side, np.cross(direction, side)

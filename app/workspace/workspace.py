@@ -89,7 +89,7 @@ class Workspace:
         self.neighbours = Neighbours(mesh.vertices, mesh.faces)
         self.heat = Heat(mesh)
         self.parts = Parts(mesh)
-        self._picker = Picker(mesh.faces)
+        self._picker = Picker(mesh.vertices, mesh.faces)
         self._under: Latest[Hit | None] = Latest()
         self._active = document.handles[0].key if document.handles else None
 
@@ -142,7 +142,7 @@ class Workspace:
     def show_part(self, number: int, on: bool) -> None:
         """Show a part again, or hide it."""
         self.parts.show(number, on)
-        self._picker = Picker(self.parts.faces)
+        self._picker = Picker(self.document.mesh.vertices, self.parts.faces)
         self._under = Latest()
 
     @property

@@ -13,7 +13,7 @@ from tests.app.person import sheet, slab
 
 def hit_from_above(mesh: Mesh, x: float, y: float) -> Hit:
     ray = Ray(np.array([x, y, 50.0]), np.array([0.0, 0.0, -1.0]))
-    hit = Picker(mesh.faces).pick(ray, mesh.vertices)
+    hit = Picker(mesh.vertices, mesh.faces).pick(ray, mesh.vertices)
     assert hit is not None
     return hit
 

@@ -12,7 +12,8 @@ from tests.app.person import sheet
 def two_sheets() -> tuple[FloatArray, Picker]:
     low, F = sheet(10, 10)
     high, _ = sheet(10, 10, height=1.0)
-    return np.vstack([low, high]), Picker(np.vstack([F, F + len(low)]))
+    V = np.vstack([low, high])
+    return V, Picker(V, np.vstack([F, F + len(low)]))
 
 
 def towards(origin: FloatArray, point: FloatArray) -> Ray:
@@ -45,7 +46,7 @@ def test_rays_exactly_through_edges_and_vertices_do_not_slip_through() -> None:
 
 def test_a_hit_names_its_place_and_the_nearest_corner() -> None:
     V, F = sheet(10, 10)
-    hit = Picker(F).pick(Ray(np.array([3.9, 2.2, 7.0]), np.array([0.0, 0.0, -1.0])), V)
+    hit = Picker(V, F).pick(Ray(np.array([3.9, 2.2, 7.0]), np.array([0.0, 0.0, -1.0])), V)
     assert hit is not None
     np.testing.assert_allclose(hit.barycentric @ V[F[hit.face]], [3.9, 2.2, 0], atol=1e-9)
     np.testing.assert_allclose(V[hit.vertex], [4, 2, 0])
@@ -55,13 +56,13 @@ def test_a_hit_names_its_place_and_the_nearest_corner() -> None:
 def test_a_ray_that_passes_by_or_points_away_hits_nothing() -> None:
     V, F = sheet(10, 10)
     up = np.array([0.0, 0.0, 1.0])
-    assert Picker(F).pick(Ray(np.array([12.0, 5.0, -3.0]), up), V) is None
-    assert Picker(F).pick(Ray(np.array([5.0, 5.0, 3.0]), up), V) is None
+    assert Picker(V, F).pick(Ray(np.array([12.0, 5.0, -3.0]), up), V) is None
+    assert Picker(V, F).pick(Ray(np.array([5.0, 5.0, 3.0]), up), V) is None
 
 
 def test_the_surface_that_moved_is_the_one_that_is_hit() -> None:
     V, F = sheet(10, 10)
-    picker = Picker(F)
+    picker = Picker(V, F)
     ray = Ray(np.array([5.2, 5.1, 9.0]), np.array([0.0, 0.0, -1.0]))
     for height in (0.0, 3.0, -2.0):
         hit = picker.pick(ray, np.add(V, [0, 0, height]))
@@ -73,6 +74,30 @@ def test_a_stray_vertex_far_away_does_not_spoil_the_picking() -> None:
     V, F = sheet(10, 10)
     V = np.vstack([V, [1e9, 1e9, 1e9]])
     ray = Ray(np.array([3.9, 2.2, 7.0]), np.array([0.0, 0.0, -1.0]))
-    hit = Picker(F).pick(ray, V)
+    hit = Picker(V, F).pick(ray, V)
     assert hit is not None
     np.testing.assert_allclose(hit.position, [3.9, 2.2, 0.0], atol=1e-6)
+
+
+def test_on_a_bent_surface_it_finds_what_asking_every_triangle_finds() -> None:
+    V, F = sheet(60, 40)
+    picker = Picker(V, F)
+    angle = V[:, 0] / 9
+    X = np.column_stack([9 * np.sin(angle), V[:, 1], 9 - 9 * np.cos(angle)])  # a roll
+    eye, rng = np.array([3.0, -40.0, 25.0]), np.random.default_rng(1)
+    for point in rng.uniform([-12, -5, -3], [12, 45, 20], (200, 3)):
+        ray = towards(eye, point)
+        distance = first_of_all(ray, X[F])
+        hit = picker.pick(ray, X)
+        assert (hit is None) == (distance == np.inf)
+        if hit is not None:
+            assert hit.distance == pytest.approx(distance)
+
+
+def first_of_all(ray: Ray, corners: FloatArray) -> float:
+    """Where a ray meets the first of some triangles (m, 3, 3); infinity for none."""
+    a, b, c = (corners[:, k] for k in range(3))
+    sides = np.stack([b - a, c - a, np.broadcast_to(-ray.direction, a.shape)], axis=2)
+    u, v, t = np.linalg.solve(sides, (ray.origin - a)[..., None])[..., 0].T
+    met = (u >= 0) & (v >= 0) & (u + v <= 1) & (t > 0)
+    return float(np.where(met, t, np.inf).min())
