@@ -13,7 +13,7 @@ from solver.types import FloatArray
 
 POLYGON_NAMES = {3: "triangles", 4: "quads"}
 # These are named even where a file has none.
-USUAL_EXTRAS = ("texture coordinates", "normals", "groups")
+USUAL_EXTRAS = ("texture coordinates", "normals", "objects", "groups")
 
 
 def deform(mesh: Path, session: Path, output: Path, rigid: int | None, exact: bool) -> None:
@@ -57,6 +57,7 @@ def _surface_lines(counts: MeshStatistics) -> list[str]:
         _line("faces", polygons),
         _line("triangles solved", f"{counts.triangles:,}"),
         _line("components", f"{counts.components:,}"),
+        _line("pieces, seams welded", f"{counts.pieces:,}"),
         _line("size", f"{size}, diagonal {counts.diagonal:.4g}"),
     ]
 

@@ -18,16 +18,18 @@ class MeshStatistics:
     """Counts over one mesh; nothing counted here is an error.
 
     `polygon_sizes` is corners -> how many faces. A component is a set of triangles joined by
-    vertices; a boundary edge has one triangle, a boundary loop is a connected set of such edges, a
-    non-manifold edge has three triangles or more. A degenerate triangle has no area (or a repeated
-    vertex); a duplicate has the vertices of an earlier one. `diagonal` is that of the bounding box
-    `lower` .. `upper`. `extras` counts what the file holds beyond its surface, in plain words.
+    vertices, `pieces` counts them with their seams welded; a boundary edge has one triangle, a
+    boundary loop is a connected set of such edges, a non-manifold edge has three triangles or more.
+    A degenerate triangle has no area (or a repeated vertex); a duplicate has the vertices of an
+    earlier one. `diagonal` is that of the bounding box `lower` .. `upper`. `extras` counts what the
+    file holds beyond its surface, in plain words.
     """
 
     vertices: int
     triangles: int
     polygon_sizes: dict[int, int]
     components: int
+    pieces: int
     boundary_edges: int
     boundary_loops: int
     non_manifold_edges: int
@@ -55,6 +57,7 @@ def mesh_statistics(mesh: Mesh) -> MeshStatistics:
         triangles=len(F),
         polygon_sizes={size: int(numbers[size]) for size in np.flatnonzero(numbers).tolist()},
         components=_distinct(topology.vertex_component[used]),
+        pieces=int(mesh.pieces.max()) + 1,
         boundary_edges=len(boundary),
         boundary_loops=_distinct(components(boundary, len(V))[boundary]),
         non_manifold_edges=int((proper & (topology.valence > 2)).sum()),

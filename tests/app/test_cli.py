@@ -105,6 +105,7 @@ def test_an_odd_mesh_is_counted_and_deformed(capsys: pytest.CaptureFixture[str])
     assert counts["vertices"] == "10"
     assert counts["faces"] == "7 triangles"
     assert counts["components"] == "2"
+    assert counts["pieces, seams welded"] == "2"
     assert counts["non-manifold edges"] == "1"
     assert counts["degenerate triangles"] == "1"
     assert counts["duplicate faces"] == "1"

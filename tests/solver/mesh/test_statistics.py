@@ -29,6 +29,13 @@ def test_two_parts_count_as_the_sum_of_each() -> None:
     assert (found.components, found.boundary_edges, found.boundary_loops) == (2, 3, 1)
 
 
+def test_a_surface_cut_along_a_seam_is_one_piece() -> None:
+    V = np.concatenate([CORNERS, CORNERS])
+    cut = np.concatenate([TETRAHEDRON[:2], TETRAHEDRON[2:] + 4])
+    found = mesh_statistics(Mesh.from_arrays(V, cut))
+    assert (found.components, found.pieces) == (2, 1)
+
+
 def test_a_tube_has_two_boundary_loops() -> None:
     t = np.linspace(0, 2 * np.pi, 12, endpoint=False)
     ring = np.stack([np.cos(t), np.sin(t), 0 * t], axis=1)
@@ -59,5 +66,5 @@ def test_what_an_obj_holds_beyond_its_surface(tmp_path: Path) -> None:
         b"f 1/1/1 2/2/1 3/1/1\ng two\nf 1 2 3 4\n"
     )
     found = mesh_statistics(load_mesh(path))
-    assert found.extras == {"texture coordinates": 2, "normals": 1, "groups": 2}
+    assert found.extras == {"texture coordinates": 2, "normals": 1, "objects": 0, "groups": 2}
     assert found.polygon_sizes == {3: 1, 4: 1}

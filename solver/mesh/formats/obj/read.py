@@ -15,7 +15,7 @@ from solver.mesh.polygons import Polygons
 from solver.mesh.progress import Progress, silent
 from solver.types import FloatArray, IntArray
 
-_EXTRAS = {"texture coordinates": b"vt", "normals": b"vn", "groups": b"g"}
+_EXTRAS = {"texture coordinates": b"vt", "normals": b"vn", "objects": b"o", "groups": b"g"}
 
 
 @dataclass(frozen=True, eq=False)

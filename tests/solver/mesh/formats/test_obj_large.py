@@ -40,7 +40,12 @@ def test_every_line_is_read(large: tuple[Mesh, bytes]) -> None:
     V, F = strip()
     assert large[0].vertices.tobytes() == V.tobytes()
     np.testing.assert_array_equal(large[0].polygons, F)
-    assert large[0].extras == {"texture coordinates": 0, "normals": COUNT, "groups": len(F)}
+    assert large[0].extras == {
+        "texture coordinates": 0,
+        "normals": COUNT,
+        "objects": 0,
+        "groups": len(F),
+    }
 
 
 def test_every_moved_line_is_written(large: tuple[Mesh, bytes], tmp_path: Path) -> None:
