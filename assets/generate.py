@@ -14,6 +14,7 @@ from assets.generator.objtext import parts_text, quad_text, triangle_text
 from assets.generator.primitives import bar, bumpy_plane, cylinder
 from assets.generator.quads import dog
 from assets.generator.surface import Enlargement, polygonise, remesh
+from solver import load_mesh
 from solver.types import FloatArray, IntArray
 
 FOLDER = Path(__file__).resolve().parent
@@ -59,6 +60,8 @@ def main() -> None:
     parts = dressed(V, F)
     write("dressed.obj", parts_text("A dressed figure of many pieces, y up, facing +z", parts))
     write("dressed-elbow.json", dressed_session("dressed.obj", parts))
+    mesh = load_mesh(FOLDER / "dressed.obj")
+    mesh.save(FOLDER / "dressed.glb", mesh.vertices)
     write("arm.obj", triangle_text("An arm with its hand, along x", *arm()))
     write("bar.obj", triangle_text("A bar of square section, along x", *bar()))
     write("cylinder.obj", triangle_text("A closed cylinder, along x", *cylinder()))

@@ -116,6 +116,7 @@ class Mesh:
             self.source,
             name,
             poses={pose: self._positions(Y) for pose, Y in (poses or {}).items()},
+            groups=self.groups,
         )
         files = {name: surface}
         if not file_format.keeps_poses:

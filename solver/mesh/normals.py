@@ -1,15 +1,20 @@
-"""Normals of a mesh file, turned with the triangles that use them."""
+"""Normals of a mesh file: turned with the triangles that use them, or made anew."""
 
 from __future__ import annotations
 
 import numpy as np
 from scipy import sparse
 
+from solver.geometry.cross_products import area_vectors
 from solver.geometry.frames import triangle_frames
+from solver.geometry.topology import Topology
+from solver.geometry.welding import weld
 from solver.types import BoolArray, FloatArray, IntArray
 
 # A direction that changes by less than this is the same.
 _SAME = 1e-9
+# The cosine of 30 degrees: where the sides of a cut differ by more from their mean, it is an edge.
+_SMOOTH = 0.866
 
 
 def turn_normals(
@@ -50,3 +55,29 @@ def _mean_rotations(
     votes = sparse.csc_array((weights, np.maximum(users, 0).ravel(), starts), (count, len(F)))
     total = np.asarray(votes @ np.ones(len(F)))
     return np.asarray(votes @ rotations.reshape(-1, 9)).reshape(-1, 3, 3), total
+
+
+def smooth_normals(X: FloatArray, F: IntArray) -> FloatArray:
+    """(n, 3) unit normals: the mean over triangles by area, the z axis where there is none.
+
+    A seam that the surface passes smoothly has one normal for both sides.
+    """
+    P = X[F]
+    scaled = X / max(float(np.abs(P).max()), np.finfo(float).tiny)
+    areas = area_vectors(scaled, F).repeat(3, axis=0)
+    own = _unit(_summed(areas, F.ravel(), len(X)))
+    welded = weld(X, Topology(F, len(X)))
+    both = _unit(_summed(areas, welded[F].ravel(), len(X)))[welded]
+    smooth = (own * both).sum(axis=1, keepdims=True) >= _SMOOTH
+    return np.where(smooth, both, own)
+
+
+def _summed(vectors: FloatArray, at: IntArray, count: int) -> FloatArray:
+    """(count, 3) sums of the vectors (k, 3) at each number (k,)."""
+    return np.stack([np.bincount(at, part, count) for part in vectors.T], axis=1)
+
+
+def _unit(vectors: FloatArray) -> FloatArray:
+    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    # In float32 a shorter sum is all rounding.
+    return np.where(length > 1e-30, vectors / np.where(length > 0, length, 1), [0.0, 0.0, 1.0])

@@ -45,7 +45,7 @@ class DeformedSurface:
     corners of `polygons` that each triangle takes.
     source: of the file the surface was read from. A format knows its own and ignores any other.
     path: where it is to be written.  poses: positions (n, 3) by name, for formats that keep them.
-    progress: told how much of it is written.
+    progress: told how much of it is written.  groups: of its polygons, None where it has none.
     """
 
     rest: FloatArray
@@ -56,6 +56,7 @@ class DeformedSurface:
     path: str = ""
     poses: Mapping[str, FloatArray] = field(default_factory=dict)
     progress: Progress = silent
+    groups: Groups | None = None
 
     @property
     def triangles(self) -> IntArray:

@@ -1,7 +1,8 @@
-"""A glTF file for a surface that comes from elsewhere: one mesh, one node, smooth normals."""
+"""A glTF file for a surface that comes from elsewhere: a node for each group, smooth normals."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,8 +11,11 @@ from solver.mesh.formats.format import DeformedSurface
 from solver.mesh.formats.gltf.container import Gltf
 from solver.mesh.formats.gltf.primitives import LIST
 from solver.mesh.formats.gltf.read import GltfSource, Part
+from solver.mesh.formats.gltf.saving.division import Share, divide
 from solver.mesh.formats.gltf.saving.edit import Edit
 from solver.mesh.formats.gltf.schema import Json
+from solver.mesh.normals import smooth_normals
+from solver.mesh.polygons import Polygons
 from solver.types import FloatArray, IntArray
 
 _INTEGERS = {np.dtype("<u2"): 5123, np.dtype("<u4"): 5125}
@@ -21,46 +25,66 @@ _VERTICES, _INDICES = 34962, 34963
 _FAR = 16
 
 
-def plain_source(surface: DeformedSurface) -> GltfSource:
-    """The deformed surface as a file, its polygons as triangles.
+def plain_surface(surface: DeformedSurface) -> DeformedSurface:
+    """The deformed surface with a file for its source that shows it, at rest where it is now.
 
-    Where it lies so far out that float32 would round its detail away, the node holds its centre.
+    Its triangles, divided by groups into nodes; vertices are in the order of the file. Where it
+    lies so far out that float32 would round its detail away, the nodes hold its centre.
     """
-    X, F = surface.positions, surface.triangles
+    shares = divide(surface)
+    order = np.concatenate([share.vertices for share in shares])
+    X, starts = surface.positions[order], np.cumsum([0, *(len(s.vertices) for s in shares)])
+    faces = [share.faces + start for share, start in zip(shares, starts[:-1], strict=True)]
+    polygons = Polygons.from_array(np.concatenate(faces))
+    return replace(
+        surface,
+        rest=X,
+        positions=X,
+        polygons=polygons,
+        triangle_corners=np.arange(polygons.corners.size).reshape(-1, 3),
+        source=_source(X, smooth_normals(surface.positions, surface.triangles)[order], shares),
+        poses={name: pose[order] for name, pose in surface.poses.items()},
+        groups=None,
+    )
+
+
+def _source(X: FloatArray, normals: FloatArray, shares: list[Share]) -> GltfSource:
+    """A file of a node and a mesh for each share, and the parts of the surface they show."""
     lower, upper = X.min(axis=0), X.max(axis=0)
     far = max(np.abs(lower).max(), np.abs(upper).max()) > _FAR * np.linalg.norm(upper - lower)
     centre = (lower + upper) / 2 if far else np.zeros(3)
+    place = {"translation": centre.tolist()} if far else {}
     root: Json = {"asset": {"version": "2.0", "generator": "Surface deformation"}}
     edit = Edit(Gltf(root, (), "the mesh", Path()))
+    nodes: list[Json] = []
+    meshes: list[Json] = []
+    parts, start, first = [], 0, 0
+    for number, share in enumerate(shares):
+        count, name = len(share.vertices), {"name": share.name} if share.name else {}
+        own = slice(start, start + count)
+        mesh = _mesh(edit, X[own] - centre, normals[own], share.faces)
+        nodes.append({"mesh": number} | name | place)
+        meshes.append(mesh | name)
+        position = mesh["primitives"][0]["attributes"]["POSITION"]
+        triangles = slice(first, first + len(share.faces))
+        parts.append(Part(number, number, (0,), position, start, count, (triangles,), np.eye(3)))
+        start, first = own.stop, triangles.stop
+    scenes = [{"nodes": list(range(len(nodes)))}]
+    edit.json |= {"scene": 0, "scenes": scenes, "nodes": nodes, "meshes": meshes}
+    return GltfSource(edit.finished(), tuple(parts))
+
+
+def _mesh(edit: Edit, X: FloatArray, normals: FloatArray, F: IntArray) -> Json:
+    bounded: Json = {"type": "VEC3", "min": [], "max": []}
     attributes = {
-        "POSITION": edit.append(
-            {"type": "VEC3", "min": [], "max": []}, X - centre, target=_VERTICES
-        ),
-        "NORMAL": edit.append({"type": "VEC3"}, vertex_normals(X, F), target=_VERTICES),
+        "POSITION": edit.append(bounded, X, target=_VERTICES),
+        "NORMAL": edit.append({"type": "VEC3"}, normals, target=_VERTICES),
     }
-    primitive = {"attributes": attributes, "indices": _indices(edit, F, len(X)), "mode": LIST}
-    node = {"mesh": 0} | ({"translation": centre.tolist()} if far else {})
-    edit.json |= {
-        "scene": 0,
-        "scenes": [{"nodes": [0]}],
-        "nodes": [node],
-        "meshes": [{"primitives": [primitive]}],
+    return {
+        "primitives": [
+            {"attributes": attributes, "indices": _indices(edit, F, len(X)), "mode": LIST}
+        ]
     }
-    part = Part(0, 0, (0,), attributes["POSITION"], 0, len(X), (slice(0, len(F)),), np.eye(3))
-    return GltfSource(edit.finished(), (part,))
-
-
-def vertex_normals(X: FloatArray, F: IntArray) -> FloatArray:
-    """(n, 3) unit normals: the mean over triangles by area, the z axis where there is none."""
-    P = X[F]
-    P = P / max(float(np.abs(P).max()), np.finfo(float).tiny)
-    area = np.cross(P[:, 1] - P[:, 0], P[:, 2] - P[:, 0])
-    total = np.stack(
-        [np.bincount(F.ravel(), area[:, c].repeat(3), len(X)) for c in range(3)], axis=1
-    )
-    length = np.linalg.norm(total, axis=1, keepdims=True)
-    # In float32 a shorter sum is all rounding.
-    return np.where(length > 1e-30, total / np.where(length > 0, length, 1), [0.0, 0.0, 1.0])
 
 
 def _indices(edit: Edit, F: IntArray, count: int) -> int:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 from solver.mesh.formats.format import DeformedSurface
@@ -10,7 +9,7 @@ from solver.mesh.formats.gltf.read import GltfSource
 from solver.mesh.formats.gltf.saving.deform import DeformedPart, deform
 from solver.mesh.formats.gltf.saving.edit import Edit
 from solver.mesh.formats.gltf.saving.pack import has_all_buffers, take_in_images, to_glb, to_gltf
-from solver.mesh.formats.gltf.saving.plain import plain_source
+from solver.mesh.formats.gltf.saving.plain import plain_surface
 from solver.mesh.formats.gltf.saving.targets import add_poses
 
 
@@ -25,16 +24,17 @@ def write_gltf(surface: DeformedSurface) -> bytes:
     Everything else in it stays. Data that something else shares, or that is not float32, is left
     alone: what was deformed gets float32 data of its own. A file saved beside its source in the
     same container goes on naming the files there; any other takes images and buffers in.
-    A surface that comes from elsewhere becomes one mesh of triangles with smooth normals.
+    A surface that comes from elsewhere becomes triangles with smooth normals, a node for each of
+    its groups.
     """
     return _write(surface, binary=False)
 
 
 def _write(surface: DeformedSurface, binary: bool) -> bytes:
+    if not isinstance(surface.source, GltfSource):
+        surface = plain_surface(surface)
     source = surface.source
-    if not isinstance(source, GltfSource):
-        source = plain_source(surface)
-        surface = replace(surface, rest=surface.positions)
+    assert isinstance(source, GltfSource)
     gltf, X = source.gltf, surface.positions
     edit = Edit(gltf)
     shapes = [DeformedPart(gltf, part, surface) for part in source.parts]

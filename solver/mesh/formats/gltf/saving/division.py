@@ -1,0 +1,61 @@
+"""A surface divided by the objects or groups of the file that it comes from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from solver.mesh.formats.format import DeformedSurface, Groups
+from solver.types import IntArray
+
+
+@dataclass(frozen=True, eq=False)
+class Share:
+    """What of a surface becomes one mesh of a file.
+
+    name: empty for none.  vertices: (k,) of the surface.  faces: (m, 3) triangles over those.
+    """
+
+    name: str
+    vertices: IntArray
+    faces: IntArray
+
+
+def divide(surface: DeformedSurface) -> list[Share]:
+    """The surface by its groups, in the order of their vertices; one share where it has none.
+
+    Vertices keep their order as far as groups leave it. One that several groups use is in each, one
+    that no face uses goes with the vertex before it.
+    """
+    count, F = len(surface.positions), surface.triangles
+    groups = surface.groups
+    if groups is None:
+        return [Share("", np.arange(count), F)]
+    group = _of_triangles(groups, surface)
+    owner = _owners(group, F, count)
+    shares = []
+    for number in np.unique(group).tolist():
+        faces = F[group == number]
+        named = np.zeros(count, dtype=bool)
+        named[faces.ravel()] = True
+        vertices = np.flatnonzero(named | (owner == number))
+        name = groups.names[number] if number >= 0 else ""
+        shares.append(Share(name, vertices, np.searchsorted(vertices, faces)))
+    return sorted(shares, key=lambda share: int(share.vertices[0]))
+
+
+def _of_triangles(groups: Groups, surface: DeformedSurface) -> IntArray:
+    """(m,) the group of each triangle: that of its polygon."""
+    ends = np.cumsum(surface.polygons.sizes)
+    polygon = np.searchsorted(ends, surface.triangle_corners[:, 0], side="right")
+    return groups.of_polygon[polygon]
+
+
+def _owners(group: IntArray, F: IntArray, count: int) -> IntArray:
+    """(n,) for a vertex without a face the group that it goes with, else one that names it."""
+    owner = np.full(count, -2)
+    owner[F.ravel()] = np.repeat(group, 3)
+    known = np.flatnonzero(owner > -2)
+    before = np.searchsorted(known, np.arange(count), side="right") - 1
+    return owner[known[np.maximum(before, 0)]]
