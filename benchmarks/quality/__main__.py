@@ -2,7 +2,7 @@
 
 The text of that page stays; its tables, between two marks, and its plots are made anew. The
 survey's two cases need its data in ../shared/meshes/bs08 and are left out where they are missing,
-so are CGAL's rows without CGAL (Debian's libcgal-dev) and a compiler.
+so are CGAL's rows without CGAL (Debian's libcgal-dev) and a compiler, and Blender's without `bpy`.
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks import cgal
 from benchmarks.cases.assets import all_cases
 from benchmarks.cases.case import Case
 from benchmarks.cases.survey import PRIMO
+from benchmarks.programs import blender, cgal
 from benchmarks.quality.plots import draw
 from benchmarks.quality.sweeps import TURNS, drag_rows, resolution_rows, turn_rows
 from benchmarks.tables import table
@@ -28,8 +28,13 @@ BEGIN, END = "<!-- measured -->\n", "<!-- end of measured -->"
 DEFAULT = 4
 """The level of `rigid` that is judged."""
 LEVELS = (0, 1, 2, DEFAULT, 8, 60)
-CGAL_ITERATIONS = (10, 1000)
-"""Its default, and where it has all but settled."""
+PROGRAMS = (
+    ("CGAL SR-ARAP", cgal.deform, 10),
+    ("CGAL SR-ARAP", cgal.deform, 1000),
+    ("Blender's Laplacian Deform", blender.deform, 1),
+    ("Blender's Laplacian Deform", blender.deform, 100),
+)
+"""Other programs with their usual iterations, and with so many that they have all but settled."""
 
 
 def results(case: Case) -> Iterator[tuple[str, FloatArray, str]]:
@@ -37,11 +42,11 @@ def results(case: Case) -> Iterator[tuple[str, FloatArray, str]]:
     for name, X in case.published.items():
         yield name, X, ""
     yield "libigl ARAP, 100 iterations", case.arap(), ""
-    for iterations in CGAL_ITERATIONS:
-        found = cgal.deform(case.V, case.F, *case.targets(), iterations)
+    for name, deform, iterations in PROGRAMS:
+        found = deform(case.V, case.F, *case.targets(), iterations)
         if found is not None:
-            milliseconds = 1000 * iterations * found.iteration
-            yield f"CGAL SR-ARAP, {iterations} iterations", found.X, f"{milliseconds:.0f}"
+            label = f"{name}, {iterations} iteration{'s' if iterations > 1 else ''}"
+            yield label, found.X, f"{1000 * found.deformation:.0f}"
     yield "harmonic", case.harmonic(1), ""
     yield "biharmonic", case.harmonic(2), ""
     deformer = case.deformer()

@@ -9,7 +9,7 @@ import igl
 import numpy as np
 from scipy.sparse.linalg import spsolve
 
-from benchmarks import cgal
+from benchmarks.programs import blender, cgal
 from benchmarks.timing import Task
 from solver import Deformer
 from solver.types import FloatArray, IntArray
@@ -19,6 +19,8 @@ PRECOMPUTE = "libigl ARAP, precomputation"
 ARAP = f"libigl ARAP, {ITERATIONS} iterations"
 CGAL_PREPROCESS = "CGAL SR-ARAP, preprocessing"
 CGAL = f"CGAL SR-ARAP, {ITERATIONS} iterations"
+BLENDER_BIND = "Blender's Laplacian Deform, bind"
+BLENDER = f"Blender's Laplacian Deform, {ITERATIONS} iterations"
 HARMONIC = "libigl harmonic, k = 2"
 PAPER = "SciPy spsolve of the paper's system, every drag"
 
@@ -47,18 +49,21 @@ def harmonic(V: FloatArray, F: IntArray, held: IntArray, goal: FloatArray) -> di
     return {HARMONIC: Task(lambda: igl.harmonic(V, F, held, goal - V[held], 2))}
 
 
-def smoothed_rotations(
+def programs(
     V: FloatArray, F: IntArray, held: IntArray, goal: FloatArray, rounds: int
 ) -> dict[str, float]:
-    """CGAL's, in seconds; empty where it is not installed."""
-    runs = [cgal.deform(V, F, held, goal, ITERATIONS) for _ in range(rounds)]
-    found = [run for run in runs if run is not None]
-    if not found:
-        return {}
-    return {
-        CGAL_PREPROCESS: median(run.preprocessing for run in found),
-        CGAL: median(ITERATIONS * run.iteration for run in found),
-    }
+    """CGAL's and Blender's, in seconds; what is not installed is left out."""
+    times: dict[str, float] = {}
+    for deform, before, each in (
+        (cgal.deform, CGAL_PREPROCESS, CGAL),
+        (blender.deform, BLENDER_BIND, BLENDER),
+    ):
+        runs = [deform(V, F, held, goal, ITERATIONS) for _ in range(rounds)]
+        found = [run for run in runs if run is not None]
+        if found:
+            times[before] = median(run.preprocessing for run in found)
+            times[each] = median(run.deformation for run in found)
+    return times
 
 
 def paper(deformer: Deformer) -> dict[str, Task]:

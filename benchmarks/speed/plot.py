@@ -10,7 +10,7 @@ from benchmarks.speed import peers, steps
 from benchmarks.speed.steps import Result
 
 OURS = steps.BIND, steps.SOFTNESS, steps.HANDLE, steps.GRAB, steps.RIGID, steps.DRAG
-PEERS = peers.PAPER, peers.PRECOMPUTE, peers.ARAP, peers.CGAL, peers.HARMONIC
+PEERS = (peers.PAPER, peers.PRECOMPUTE, peers.ARAP, peers.CGAL, peers.BLENDER, peers.HARMONIC)
 
 
 def draw(results: Sequence[Result], path: Path) -> bool:

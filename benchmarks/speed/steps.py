@@ -124,7 +124,7 @@ def measure(mannequin: Mannequin) -> Result:
     medians(peer_tasks, 1)
     times = medians(session.tasks() | peer_tasks, ROUNDS)
     held, goal = dragged(mannequin.V, mannequin.fixed, mannequin.hand)
-    times |= peers.smoothed_rotations(mannequin.V, mannequin.F, held, goal, ROUNDS)
+    times |= peers.programs(mannequin.V, mannequin.F, held, goal, ROUNDS)
     session.drop()
     where = parts.profile(lambda: bind(mannequin), 3)
     known = {name: peak for name, peak in memory.items() if peak is not None}

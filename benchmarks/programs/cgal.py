@@ -5,26 +5,17 @@ from __future__ import annotations
 import hashlib
 import subprocess
 import tempfile
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 
+from benchmarks.programs.result import Result
 from solver import Mesh
 from solver.types import FloatArray, IntArray
 
-SOURCE = Path(__file__).with_name("deform.cpp")
+SOURCE = Path(__file__).with_name("cgal.cpp")
 COMPILE = ("g++", "-std=c++17", "-O3", "-DNDEBUG", "-DCGAL_EIGEN3_ENABLED", "-I/usr/include/eigen3")
-
-
-@dataclass(frozen=True)
-class Result:
-    """X: (n, 3).  preprocessing, iteration: seconds."""
-
-    X: FloatArray
-    preprocessing: float
-    iteration: float
 
 
 @cache
@@ -66,4 +57,5 @@ def deform(
         if done.returncode != 0:
             return None
         preprocessing, iteration = map(float, done.stdout.split())
-        return Result(np.loadtxt(folder / "out.txt"), preprocessing, iteration)
+        X = np.loadtxt(folder / "out.txt")
+        return Result(X, preprocessing, iterations * iteration)
