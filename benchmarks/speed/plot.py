@@ -9,7 +9,16 @@ from benchmarks.plotting import load_pyplot, save
 from benchmarks.speed import peers, steps
 from benchmarks.speed.steps import Result
 
-OURS = steps.BIND, steps.SOFTNESS, steps.HANDLE, steps.GRAB, steps.RIGID, steps.DRAG
+OURS = (
+    steps.BIND,
+    steps.SOFTNESS,
+    steps.HANDLE,
+    steps.GRAB,
+    steps.RIGID,
+    steps.COARSE_HANDLE,
+    steps.COARSE_SETTLED,
+    steps.DRAG,
+)
 PEERS = (peers.PAPER, peers.PRECOMPUTE, peers.ARAP, peers.CGAL, peers.BLENDER, peers.HARMONIC)
 
 

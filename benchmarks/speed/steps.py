@@ -7,6 +7,7 @@ from itertools import cycle
 
 import numpy as np
 
+from app.model.settings import COARSE, LARGE
 from benchmarks.cases.mannequin import Mannequin, drag_of, dragged
 from benchmarks.machine import peak_memory
 from benchmarks.speed import parts, peers
@@ -23,6 +24,10 @@ POSE = "drag: pose, rigid 0"
 DRAG = "drag: orient + pose, rigid 0"
 FIRST = "pose, rigid 1, the first after a bind"
 RIGID = "pose, rigid 1"
+SETTLED = "pose, rigid 4"
+COARSE_HANDLE = "coarse frames: rebind after a handle stroke"
+COARSE_DRAG = "coarse frames: orient + pose, rigid 0"
+COARSE_SETTLED = "coarse frames: pose, rigid 4"
 
 START = "the program with the mesh"
 ONE = "and one bind"
@@ -49,12 +54,16 @@ class Result:
 
 
 class Session:
-    """One mannequin, bound; each stroke replaces its deformer, as in the window."""
+    """One mannequin, bound; each stroke replaces its deformer, as in the window.
 
-    def __init__(self, mannequin: Mannequin) -> None:
-        self._mannequin = mannequin
+    coarse: how many vertices frames are for, None for the exact solution.
+    """
+
+    def __init__(self, mannequin: Mannequin, coarse: int | None = None) -> None:
+        self._mannequin, self._coarse = mannequin, coarse
         self._grabbed, self._dragged = drag_of(mannequin.V, mannequin.hand)
-        self._brush, self._forearm = mannequin.brush, mannequin.forearm
+        self._brush = mannequin.brush
+        self._handles = cycle([mannequin.forearm, mannequin.hand])
         self._softness = cycle([mannequin.softness(0.1), mannequin.softness(0.15)])
         self.bind()
         self.T = self.orient()
@@ -65,13 +74,18 @@ class Session:
         del self.deformer
 
     def bind(self) -> None:
-        self.deformer = bind(self._mannequin)
+        self.deformer = bind(self._mannequin, self._coarse)
 
     def rebind_softness(self) -> None:
         self.deformer = _ready(self.deformer.rebind(softness=next(self._softness)))
 
+    def release(self) -> None:
+        """Two factors are never in memory at once."""
+        self.deformer = self.deformer.rebind(fixed=(), handles=())
+
     def rebind_handle(self) -> None:
-        self.deformer = _ready(self.deformer.rebind(handles=[self._forearm]))
+        held = {"fixed": self._mannequin.fixed, "handles": [next(self._handles)]}
+        self.deformer = _ready(self.deformer.rebind(**held))
 
     def grab(self) -> None:
         _ready(self.deformer.grab(self._brush))
@@ -98,12 +112,23 @@ class Session:
             DRAG: Task(self.drag, 50),
             FIRST: Task(lambda: self.pose(1)),
             RIGID: Task(lambda: self.pose(1), 5),
-            HANDLE: Task(self.rebind_handle),  # the last, as it changes what is free
+            SETTLED: Task(lambda: self.pose(4), 3),
+            # The last, as it changes what is free.
+            HANDLE: Task(self.rebind_handle, before=self.release),
+        }
+
+    def coarse_tasks(self) -> dict[str, Task]:
+        """What the window does with meshes of this size."""
+        return {
+            COARSE_HANDLE: Task(self.rebind_handle, before=self.release),
+            COARSE_DRAG: Task(self.drag, 50),
+            COARSE_SETTLED: Task(lambda: self.pose(4), 3),
         }
 
 
-def bind(mannequin: Mannequin) -> Deformer:
-    return _ready(Deformer(mannequin.V, mannequin.F, mannequin.fixed, [mannequin.hand]))
+def bind(mannequin: Mannequin, coarse: int | None = None) -> Deformer:
+    held = mannequin.fixed, [mannequin.hand]
+    return _ready(Deformer(mannequin.V, mannequin.F, *held, coarse=coarse))
 
 
 def _ready(deformer: Deformer) -> Deformer:
@@ -118,17 +143,23 @@ def measure(mannequin: Mannequin) -> Result:
     session = Session(mannequin)
     memory[ONE] = peak_memory()
     free = len(session.deformer.system.free)
-    peer_tasks = _peers(session.deformer, mannequin)
     medians(session.tasks(), 1)
-    memory[ALL] = peak_memory()  # before the peers have taken theirs
-    medians(peer_tasks, 1)
-    times = medians(session.tasks() | peer_tasks, ROUNDS)
+    memory[ALL] = peak_memory()  # before coarse frames and the peers have taken theirs
+    others = _coarse_tasks(mannequin) | _peers(session.deformer, mannequin)
+    medians(others, 1)
+    times = medians(session.tasks() | others, ROUNDS)
     held, goal = dragged(mannequin.V, mannequin.fixed, mannequin.hand)
     times |= peers.programs(mannequin.V, mannequin.F, held, goal, ROUNDS)
     session.drop()
     where = parts.profile(lambda: bind(mannequin), 3)
     known = {name: peak for name, peak in memory.items() if peak is not None}
     return Result(len(mannequin.V), free, times, where, known)
+
+
+def _coarse_tasks(mannequin: Mannequin) -> dict[str, Task]:
+    if len(mannequin.V) <= LARGE:
+        return {}
+    return Session(mannequin, COARSE).coarse_tasks()
 
 
 def _peers(deformer: Deformer, mannequin: Mannequin) -> dict[str, Task]:
