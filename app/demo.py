@@ -15,9 +15,10 @@ from app.editor import commands as c
 from app.editor.editor import Editor
 from app.graphics import GraphicsError, loading
 from app.model.document import Document
+from app.viewpoint.camera import Camera
+from app.viewpoint.events import Input
+from app.viewpoint.framing import framing
 from app.worker.client import ProcessWorker
-from app.workspace.camera import Camera
-from app.workspace.events import Input
 from solver import load_mesh
 from solver.errors import SolverError
 
@@ -78,7 +79,7 @@ def demo(folder: Path) -> None:
     Where no graphics library can be used, the pictures are left out and it says so.
     """
     editor = Editor(Document(load_mesh(DEFAULT_MESH), DEFAULT_MESH), ProcessWorker())
-    camera = Camera.framing(editor.positions, PICTURE_SIZE)
+    camera = framing(editor.positions, PICTURE_SIZE)
     try:
         draw = painter(editor, camera)
     except GraphicsError as error:

@@ -30,9 +30,10 @@ from app.demo import (
 from app.editor.commands import SetMap
 from app.editor.editor import Editor
 from app.model.document import Document
+from app.viewpoint.camera import FIELD_OF_VIEW, Camera
+from app.viewpoint.framing import framing
 from app.window.panel import WIDTH
 from app.worker.client import ProcessWorker
-from app.workspace.camera import FIELD_OF_VIEW, Camera
 from solver import load_mesh
 from tests.gui.display import VirtualDisplay
 from tests.gui.person import Person
@@ -46,7 +47,7 @@ FIRST_RADIUS = 0.03
 def close_ups() -> None:
     """The arm as painted, as soft, as folded."""
     editor = Editor(Document(load_mesh(DEFAULT_MESH), DEFAULT_MESH), ProcessWorker())
-    performer = Performer(editor, Camera.framing(editor.positions, PICTURE_SIZE))
+    performer = Performer(editor, framing(editor.positions, PICTURE_SIZE))
     near = Camera.look_at((0.4, 1.52, 1.3), (0.4, 1.52, 0.0), FIELD_OF_VIEW, CLOSE_SIZE)
     draw = painter(editor, near, CLOSE_SIZE)
     paint_regions(performer)
@@ -73,7 +74,7 @@ def walkthrough() -> None:
 
 
 def _walk(person: Person) -> None:
-    camera = Camera.framing(load_mesh(DEFAULT_MESH).vertices, person.size(), WIDTH)
+    camera = framing(load_mesh(DEFAULT_MESH).vertices, person.size(), WIDTH)
 
     def paint(tool: str, radius: float, paths: Sequence[Sequence[Point]]) -> None:
         person.key(tool)

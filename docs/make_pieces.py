@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 
 from app.bundled import ASSETS
 from app.graphics import loading
-from app.workspace.camera import FIELD_OF_VIEW, Camera
+from app.viewpoint.camera import FIELD_OF_VIEW, Camera
 from app.workspace.scene import Scene
 from assets.generator.elbow import softness
 from assets.generator.figure import ARM_DEPTH, ARM_HEIGHT, ELBOW, WRIST

@@ -27,6 +27,7 @@ LAYERS = (
     "app app.bundled app.graphics",
     "app.model",
     "app.worker",
+    "app.viewpoint",
     "app.workspace",
     "app.tools",
     "app.editor",

@@ -10,10 +10,12 @@ from app.editor.softness_warnings import softness_warnings
 from app.model.document import Document
 from app.model.handles import FIRST_HANDLE, FIXED
 from app.tools.table import TOOLS
+from app.viewpoint.events import Input
+from app.viewpoint.viewpoint import Motion
 from app.workspace.color_maps import MAPS
-from app.workspace.events import Input
 from app.workspace.latest import Latest
-from app.workspace.scene import Dots, Outline, Scene, dot_radius
+from app.workspace.overlay import NOTHING, Overlay
+from app.workspace.scene import Dots, Scene, dot_radius
 from app.workspace.workspace import Workspace
 from solver.errors import SolverError
 from solver.types import FloatArray
@@ -25,17 +27,18 @@ class Editor(Workspace):
     """What a person does, and what they see of it.
 
     Whatever goes wrong with an input, a command or a file becomes a message; the document stays
-    as it was. cursor: the line that shows where the tool would act, None where there is none.
+    as it was. cursor: what shows where the tool would act.
     """
 
     def adopt(self, document: Document, session_path: Path | None = None) -> None:
         """Show another document, with a history of its own."""
         super().adopt(document, session_path)
-        self.cursor: Outline | None = None
+        self.cursor: Overlay = NOTHING
         self._colors: Latest[FloatArray] = Latest()
         self._dots: Latest[Dots | None] = Latest()
         self._dot_radius = dot_radius(document.mesh.vertices, self.neighbours.edges)
         self._warnings: Latest[tuple[str, ...]] = Latest()
+        self._left: Motion | None = None  # what the button that is down does to the camera
 
     def step(self, frame: Input) -> None:
         """One frame: advance a stroke or drag, take finished binds, pose the surface."""
@@ -45,6 +48,8 @@ class Editor(Workspace):
         except (SolverError, OSError) as error:
             self.cancel()
             self.say(str(error), "error")
+        self.viewpoint.advance(frame, self._left, lambda: self._point(frame))
+        self.last_input = frame
         self.cursor = self._cursor(frame)
 
     def execute(self, command: Command) -> None:
@@ -68,7 +73,7 @@ class Editor(Workspace):
 
     @property
     def captures(self) -> bool:
-        """Whether a stroke or a drag has the mouse; the camera stays still then, and only then."""
+        """Whether a stroke or a drag has the mouse, and the primary button leaves the camera."""
         return self.interaction is not None
 
     @property
@@ -175,14 +180,34 @@ class Editor(Workspace):
         if self.interaction is None and frame.released:
             self.history.seal()  # a slider was let go: the next slide is an entry of its own
         if not frame.down:
+            self._touch(frame)
+            self._left = None
             self.finish()
 
     def _begin(self, frame: Input) -> None:
+        """A press over the scene is the tool's, else it moves the camera."""
+        if frame.pixel is None:
+            return
         begin = TOOLS[self.tool].begin
-        if begin is not None and frame.pixel is not None:
+        if begin is not None and not frame.alt:
             self.interaction = begin(self, frame)
+        if self.interaction is None:
+            self._left = "pan" if frame.shift else "orbit"
+        else:
+            self._touch(frame)
 
-    def _cursor(self, frame: Input) -> Outline | None:
+    def _touch(self, frame: Input) -> None:
+        """The view turns about the point that a stroke or drag last touched."""
+        point = self._point(frame) if self.interaction is not None else None
+        if point is not None:
+            self.viewpoint.pivot = point
+
+    def _point(self, frame: Input) -> FloatArray | None:
+        """Of the surface, under the cursor."""
+        hit = self.under(frame)
+        return None if hit is None else hit.position
+
+    def _cursor(self, frame: Input) -> Overlay:
         cursor = TOOLS[self.tool].cursor
         orbiting = frame.down and not self.captures
-        return None if cursor is None or orbiting else cursor(self, frame)
+        return NOTHING if cursor is None or orbiting else cursor(self, frame)

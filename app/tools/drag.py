@@ -9,8 +9,8 @@ import numpy as np
 from app.model.handles import Handle
 from app.model.history import Gesture
 from app.tools.tool import on_surface
-from app.workspace.camera import Ray
-from app.workspace.events import Input
+from app.viewpoint.camera import Ray
+from app.viewpoint.events import Input
 from app.workspace.picking import Hit
 from app.workspace.workspace import Interaction, Workspace
 from solver.types import FloatArray

@@ -11,7 +11,7 @@ from app.model.handles import FIRST_HANDLE, FIXED, FREE
 from app.model.history import Gesture
 from app.tools.strokes import Paint, Stroke
 from app.tools.tool import on_surface
-from app.workspace.events import Input
+from app.viewpoint.events import Input
 from app.workspace.picking import Hit
 from app.workspace.workspace import Interaction, Workspace
 from solver.geometry.procrustes import rigid_motion

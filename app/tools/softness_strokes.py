@@ -9,7 +9,7 @@ import numpy as np
 from app.model.history import Gesture
 from app.tools.strokes import Paint, Stroke
 from app.tools.tool import on_surface
-from app.workspace.events import Input
+from app.viewpoint.events import Input
 from app.workspace.picking import Hit
 from app.workspace.workspace import Interaction, Workspace
 from solver.types import FloatArray, IntArray

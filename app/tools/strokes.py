@@ -7,9 +7,9 @@ from typing import ClassVar, Protocol
 import numpy as np
 
 from app.model.history import Gesture
+from app.viewpoint.camera import Ray, rays_between
+from app.viewpoint.events import Input
 from app.workspace.brush import MAX_DABS
-from app.workspace.camera import Ray, rays_between
-from app.workspace.events import Input
 from app.workspace.picking import Hit
 from app.workspace.workspace import Workspace
 from solver.types import FloatArray, IntArray

@@ -5,16 +5,16 @@ from __future__ import annotations
 from app.tools.drag import begin_drag
 from app.tools.role_strokes import paint_fixed, paint_handle
 from app.tools.softness_strokes import paint_softness
-from app.tools.tool import Tool, brush_rim
+from app.tools.tool import Tool, brush_cursor
 
 TOOLS = {
     "navigate": Tool("Navigate", "1"),
-    "fixed": Tool("Fixed", "2", paint_fixed, brush_rim, options=("brush radius",), map="roles"),
+    "fixed": Tool("Fixed", "2", paint_fixed, brush_cursor, options=("brush radius",), map="roles"),
     "handle": Tool(
         "Handle",
         "3",
         paint_handle,
-        brush_rim,
+        brush_cursor,
         options=("brush radius", "new handle"),
         map="roles",
     ),
@@ -22,7 +22,7 @@ TOOLS = {
         "Softness",
         "4",
         paint_softness,
-        brush_rim,
+        brush_cursor,
         options=("brush radius", "softness brush", "whole softness"),
         map="softness",
     ),

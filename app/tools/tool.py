@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from app.workspace.events import Input
+from app.viewpoint.events import Input
+from app.workspace.brush_rim import brush_rim
+from app.workspace.overlay import ERASING, NOTHING, PAINTING, Overlay
 from app.workspace.picking import Hit
-from app.workspace.scene import Outline, brush_outline
 from app.workspace.workspace import Interaction, Workspace
 
 Begin = Callable[[Workspace, Input], Interaction | None]
-Cursor = Callable[[Workspace, Input], Outline | None]
+Cursor = Callable[[Workspace, Input], Overlay]
 
 
 @dataclass(frozen=True)
@@ -21,7 +22,7 @@ class Tool:
     label, key: on its button and on the keyboard.
     begin: what a press over the scene starts, anywhere or `on_surface`. Where it is None, or
         starts nothing, the press is left to the camera.
-    cursor: the line that shows where the tool would act, None for none.
+    cursor: what shows where the tool would act, None for nothing.
     options: the rows of the panel it needs, by their names in panel.tool_options.OPTIONS.
     map: the one of color_maps.MAPS that shows what the tool does, None to leave it as it is.
     keeps_heat: a heat map on screen stays, whatever `map` says.
@@ -49,10 +50,12 @@ def on_surface(begin: Callable[[Workspace, Input, Hit], Interaction | None]) -> 
     return begin_there
 
 
-def brush_rim(work: Workspace, frame: Input) -> Outline | None:
+def brush_cursor(work: Workspace, frame: Input) -> Overlay:
     """The rim of the brush on the surface under the cursor, in another colour where it erases."""
     hit = work.under(frame)
     if hit is None:
-        return None
+        return NOTHING
     corners = work.positions[work.parts.faces[hit.face]]
-    return brush_outline(hit, corners, work.brush_radius, frame.camera, frame.shift)
+    color = ERASING if frame.shift else PAINTING
+    place = work.neighbours, work.positions, hit, corners
+    return Overlay((brush_rim(*place, work.brush_radius, frame.camera, color),))

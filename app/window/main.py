@@ -14,9 +14,11 @@ from app.editor import commands as c
 from app.editor.editor import Editor
 from app.editor.file_actions import load_document, open_command
 from app.editor.unsaved import keep_unsaved
+from app.viewpoint.camera import Camera
 from app.window.mouse_and_keys import read_mouse, read_shortcuts
 from app.window.opening import open_window
 from app.window.overlay import Messages, overlay
+from app.window.overlay_lines import draw_overlay
 from app.window.panel import WIDTH, Panel
 from app.window.progress_frames import ProgressFrames
 from app.window.shortcuts import WindowAction
@@ -68,7 +70,8 @@ class Window:
 
     def __init__(self, editor: Editor) -> None:
         self._editor = editor
-        self._view = View(inset=WIDTH)
+        self._view = View()
+        self._looked: Camera | None = None
         self._panel = Panel()
         self._messages = Messages()
         self._waiting: list[c.Command] = []
@@ -111,15 +114,20 @@ class Window:
 
     def _frame(self) -> None:
         editor, view = self._editor, self._view
-        mouse = read_mouse(view.camera())
+        editor.viewpoint.fit(ps.get_window_size(), WIDTH)
+        mouse = read_mouse(editor.viewpoint.camera)
         asked = [*read_shortcuts(editor.brush), *self._panel.draw(editor)]
         asked += [open_command(path) for path in self._drops]
         self._drops = []
         for command in asked:
             self._do(command)
         editor.step(mouse)
-        ps.set_do_default_mouse_interaction(not editor.captures)
-        view.show(editor.scene(edges=self._panel.show_edges))
+        if self._looked is not editor.viewpoint.camera:
+            self._looked = editor.viewpoint.camera
+            view.look(self._looked, editor.viewpoint.reach)
+        scene = editor.scene(edges=self._panel.show_edges)
+        view.show(scene)
+        draw_overlay(scene.overlay, editor.viewpoint.camera)
         self._overlay()
 
     def _do(self, command: c.Command) -> None:
@@ -139,9 +147,7 @@ class Window:
             self._panel.file_rows.forget()
 
     def _act(self, name: str) -> None:
-        if name == "frame":
-            self._view.frame_mesh(self._editor.positions)
-        elif name == "help":
+        if name == "help":
             self._panel.show_help = not self._panel.show_help
         else:
             self._panel.file_rows.use(name)

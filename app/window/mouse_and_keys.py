@@ -5,10 +5,10 @@ from __future__ import annotations
 import polyscope.imgui as psim
 
 from app.editor import commands as c
+from app.viewpoint.camera import Camera
+from app.viewpoint.events import Input
 from app.window.shortcuts import SHORTCUTS
 from app.workspace.brush import Brush
-from app.workspace.camera import Camera
-from app.workspace.events import Input
 
 
 def read_mouse(camera: Camera) -> Input:
@@ -23,7 +23,13 @@ def read_mouse(camera: Camera) -> Input:
         pressed=psim.IsMouseClicked(0),
         down=psim.IsMouseDown(0),
         released=psim.IsMouseReleased(0),
+        clicks=max(io.MouseClickedCount[0], 1),
+        secondary=psim.IsMouseDown(1),
+        middle=psim.IsMouseDown(2),
+        wheel=io.MouseWheel if over_scene else 0.0,
         shift=_held(io.KeyShift, psim.ImGuiKey_LeftShift, psim.ImGuiKey_RightShift),
+        ctrl=_held(io.KeyCtrl, psim.ImGuiKey_LeftCtrl, psim.ImGuiKey_RightCtrl),
+        alt=io.KeyAlt,
     )
 
 

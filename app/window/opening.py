@@ -7,7 +7,7 @@ import polyscope as ps
 import polyscope.imgui as psim
 
 from app.graphics import GraphicsError
-from app.workspace.camera import FIELD_OF_VIEW
+from app.viewpoint.camera import FIELD_OF_VIEW
 
 TITLE = "Surface deformation"
 BACKGROUND = (0.74, 0.75, 0.78)  # before Polyscope's tone mapping, which brightens it
@@ -54,9 +54,8 @@ def _start(backends: tuple[str, ...], size: tuple[int, int]) -> None:
     ps.set_frame_tick_limit_fps_mode("ignore_limits")
     ps.set_ground_plane_mode("none")
     ps.set_background_color(BACKGROUND)
-    ps.set_up_dir("y_up")
-    ps.set_front_dir("z_front")
-    ps.set_navigation_style("turntable")
+    ps.set_navigation_style("none")  # app.viewpoint moves the camera
+    ps.set_do_default_mouse_interaction(False)
     ps.set_vertical_fov_degrees(float(np.degrees(FIELD_OF_VIEW)))
 
 

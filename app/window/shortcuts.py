@@ -16,7 +16,7 @@ RADIUS_STEP = 1.15
 
 @dataclass(frozen=True)
 class WindowAction(c.Command):
-    """Something the window does by itself: "frame", "help", or a row of the panel's files."""
+    """Something the window does by itself: "help", or a row of the panel's files."""
 
     name: str
 
@@ -61,8 +61,23 @@ SHORTCUTS = (
     Shortcut("Ctrl+O", "Open", psim.ImGuiKey_O, _always(WindowAction("open")), ctrl=True),
     Shortcut("Ctrl+S", "Save session", psim.ImGuiKey_S, _always(WindowAction("save")), ctrl=True),
     Shortcut("Ctrl+E", "Export mesh", psim.ImGuiKey_E, _always(WindowAction("export")), ctrl=True),
-    Shortcut("R", "Reset pose", psim.ImGuiKey_R, _always(c.ResetPose())),
-    Shortcut("F", "Frame the mesh", psim.ImGuiKey_F, _always(WindowAction("frame"))),
+    Shortcut("Ctrl+R", "Reset pose", psim.ImGuiKey_R, _always(c.ResetPose()), ctrl=True),
+    Shortcut(
+        "F",
+        "Frame the handle, the part under the cursor, all",
+        psim.ImGuiKey_F,
+        _always(c.FrameSelected()),
+    ),
+    Shortcut("Home", "Front view of all", psim.ImGuiKey_Home, _always(c.ViewFrom("front"))),
+    *(
+        Shortcut(
+            f"Keypad {key}",
+            f"View from {name}",
+            getattr(psim, f"ImGuiKey_Keypad{key}"),
+            _always(c.ViewFrom(name)),
+        )
+        for key, name in ((1, "front"), (3, "right"), (7, "top"))
+    ),
     Shortcut("F1", "Help", psim.ImGuiKey_F1, _always(WindowAction("help"))),
     Shortcut("Esc", "Cancel stroke or drag", psim.ImGuiKey_Escape, _always(c.CancelGesture())),
 )

@@ -8,27 +8,19 @@ from typing import Any
 
 import numpy as np
 import polyscope as ps
-import polyscope.imgui as psim
 
-from app.workspace.camera import Camera
-from app.workspace.scene import Dots, Outline, Scene
-from solver.types import FloatArray
+from app.viewpoint.camera import Camera
+from app.workspace.scene import Dots, Scene
 
 SURFACE, COLORS, DOTS = "surface", "colors", "dots"
 EDGE_WIDTH, EDGE_COLOR = 0.6, (0.15, 0.15, 0.2)
 DOT_COLOR = (0.96, 0.96, 0.98)
-# An outline is bright on a wider dark line, so that it is seen on every colour.
-DARK, DARK_WIDTH, BRIGHT_WIDTH = (30, 30, 40, 200), 4.0, 2.0
 
 
 class View:
-    """The scene on screen, and the camera it is seen through.
+    """The scene on screen, and the camera it is seen through."""
 
-    inset: pixels at the left of the window that a panel covers.
-    """
-
-    def __init__(self, inset: float = 0.0) -> None:
-        self._inset = inset
+    def __init__(self) -> None:
         self._mesh: Any = None  # Polyscope has no type hints
         self._shown: Scene | None = None
 
@@ -36,8 +28,6 @@ class View:
         """Upload what differs from the scene shown before, and nothing else."""
         before = self._shown
         if before is None or scene.polygons is not before.polygons:
-            if before is None or scene.mesh is not before.mesh:
-                self.frame_mesh(scene.positions)
             before = self._register(scene)
         if scene.positions is not before.positions:
             self._mesh.update_vertex_positions(scene.positions)
@@ -47,8 +37,6 @@ class View:
             _place(scene.dots)
         if scene.edges != before.edges:  # setting it to what it is draws the whole scene again
             self._mesh.set_edge_width(EDGE_WIDTH if scene.edges else 0.0)
-        if scene.outline is not None:
-            _draw(scene.outline, self.camera())
         self._shown = scene
 
     def _register(self, scene: Scene) -> Scene:
@@ -62,25 +50,18 @@ class View:
         _place(scene.dots)
         return replace(scene, edges=False)
 
-    def frame_mesh(self, positions: FloatArray) -> None:
-        """Move the camera so that the whole surface is seen beside the panel, from the front."""
-        self.look(Camera.framing(positions, tuple(ps.get_window_size()), self._inset))
+    def look(self, camera: Camera, reach: float | None = None) -> None:
+        """See what `camera` sees; the field of view stays.
 
-    def look(self, camera: Camera) -> None:
-        """See what `camera` sees; the field of view stays."""
-        ps.look_at(camera.position, camera.position + camera.forward)
-
-    def camera(self) -> Camera:
-        """The camera of this frame."""
-        p = ps.get_view_camera_parameters()
-        forward, up = (np.asarray(v, dtype=np.float64) for v in (p.get_look_dir(), p.get_up_dir()))
-        return Camera(
-            np.asarray(p.get_position(), dtype=np.float64),
-            forward / np.linalg.norm(forward),
-            up / np.linalg.norm(up),
-            float(np.radians(p.get_fov_vertical_deg())),
-            tuple(ps.get_window_size()),
-        )
+        reach: about how far away the farthest thing is. Polyscope draws 20 times as far as its
+        centre of view is; without a reach that one stays.
+        """
+        if reach is not None:
+            ps.set_view_center_raw(camera.position + reach * camera.forward)
+        axes = np.stack([camera.right, camera.up, -camera.forward])
+        matrix = np.eye(4)
+        matrix[:3, :3], matrix[:3, 3] = axes, -axes @ camera.position
+        ps.set_camera_view_matrix(matrix)
 
     def picture(self, path: Path, transparent: bool = False) -> None:
         """Save what the camera sees, without the panel, as a PNG. Raises FileError."""
@@ -93,15 +74,3 @@ def _place(dots: Dots | None) -> None:
     if dots is not None:
         cloud = ps.register_point_cloud(DOTS, dots.centres, color=DOT_COLOR, material="flat")
         cloud.set_radius(dots.radius, relative=False)
-
-
-def _draw(outline: Outline, camera: Camera) -> None:
-    """A line over the scene, left out where part of it is behind the camera."""
-    pixels = camera.project(outline.corners)
-    if not np.isfinite(pixels).all():
-        return
-    flags = psim.ImDrawFlags_Closed if outline.closed else psim.ImDrawFlags_None
-    for color, width in ((DARK, DARK_WIDTH), ((*outline.color, 255), BRIGHT_WIDTH)):
-        psim.GetBackgroundDrawList().AddPolyline(
-            np.asfortranarray(pixels, dtype=np.float32), psim.IM_COL32(*color), flags, width
-        )

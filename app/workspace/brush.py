@@ -44,6 +44,14 @@ class Neighbours:
         ends = np.concatenate([a, b]), np.concatenate([b, a])
         size = (len(vertices), len(vertices))
         self._graph = sp.csr_array((np.ones(2 * len(a)), ends), shape=size)
+        self._faces = faces
+        corners = faces.ravel(), np.arange(faces.size) // 3
+        shape = (len(vertices), len(faces))
+        self._faces_at = sp.csr_array((np.ones(faces.size, dtype=np.int8), corners), shape=shape)
+
+    def faces_around(self, vertices: IntArray) -> IntArray:
+        """(m, 3) the triangles with a corner among vertices (k,)."""
+        return self._faces[np.unique(self._faces_at[vertices].indices)]
 
     def dab(
         self, positions: FloatArray, hit: Hit, radius: float, start: FloatArray | None = None

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
-from app.workspace.camera import Ray
+from app.viewpoint.camera import Ray
 from solver.geometry.cross_products import cross
 from solver.types import FloatArray, IntArray
 

@@ -1,4 +1,4 @@
-"""What is drawn, as data: a surface with colours, dots on it, a line where the cursor is.
+"""What is drawn, as data: a surface with colours, dots on it, lines over it.
 
 Whoever draws a Scene needs to know nothing else, and whoever makes one no graphics library.
 """
@@ -9,16 +9,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.workspace.camera import Camera
-from app.workspace.picking import Hit
+from app.workspace.overlay import NOTHING, Overlay
 from solver.mesh.mesh import Mesh
 from solver.types import FloatArray, IntArray
 
-Color = tuple[int, int, int]  # RGB, 0 to 255
-
 DOT_RADIUS = 0.16  # in edges of the mesh: dots never hide the colours between them
-BRUSH_SEGMENTS = 48
-PAINTING, ERASING = (255, 255, 255), (255, 90, 70)
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,18 +22,6 @@ class Dots:
 
     centres: FloatArray
     radius: float
-
-
-@dataclass(frozen=True, eq=False)
-class Outline:
-    """A line of constant width over the surface. corners: (k, 3). closed: the last meets the first.
-
-    It shows where a tool acts: the rim of the brush, the loop of a selection.
-    """
-
-    corners: FloatArray
-    color: Color
-    closed: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +34,7 @@ class Scene:
     mesh: another one is another surface, seen afresh.  polygons: those of it that are drawn.
     positions: (n, 3) of its vertices.  colors: (n, 3) RGB in [0, 1] of its vertices.
     dots: what is pinned.  edges: whether the edges of the polygons are drawn.
-    outline: where the tool in the hand would act.
+    overlay: what is drawn over it.
     """
 
     mesh: Mesh
@@ -60,7 +43,7 @@ class Scene:
     colors: FloatArray
     dots: Dots | None = None
     edges: bool = False
-    outline: Outline | None = None
+    overlay: Overlay = NOTHING
 
 
 def dot_radius(vertices: FloatArray, edges: IntArray) -> float:
@@ -68,19 +51,3 @@ def dot_radius(vertices: FloatArray, edges: IntArray) -> float:
     ends = vertices[edges]
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     return DOT_RADIUS * float(lengths.mean()) if len(lengths) else 0.0
-
-
-def brush_outline(
-    hit: Hit, corners: FloatArray, radius: float, camera: Camera, erasing: bool
-) -> Outline:
-    """The rim of a brush: a circle around a hit in the plane of its triangle, corners (3, 3)."""
-    normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
-    # A face without area has no plane: the circle faces the person.
-    if not np.linalg.norm(normal) > 0:
-        normal = camera.forward
-    one = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
-    one /= np.linalg.norm(one)
-    two = np.cross(normal / np.linalg.norm(normal), one)
-    angle = np.linspace(0, 2 * np.pi, BRUSH_SEGMENTS, endpoint=False)[:, None]
-    rim = hit.position + radius * (np.cos(angle) * one + np.sin(angle) * two)
-    return Outline(rim, ERASING if erasing else PAINTING)

@@ -14,10 +14,11 @@ from typing import ClassVar, Literal, Protocol
 from app.model.document import Document, clock
 from app.model.handles import Handle
 from app.model.history import Gesture, History
+from app.viewpoint.camera import Ray
+from app.viewpoint.events import Input
+from app.viewpoint.viewpoint import Viewpoint
 from app.worker.client import Worker
 from app.workspace.brush import Brush, Neighbours
-from app.workspace.camera import Ray
-from app.workspace.events import Input
 from app.workspace.heat import Heat
 from app.workspace.latest import Latest
 from app.workspace.live_surface import LiveSurface
@@ -57,7 +58,8 @@ class Workspace:
     tool: a name in tools.TOOLS.  map: a name in color_maps.MAPS.  turn: dragged handles turn by
     themselves.  message: the last one, None before the first.  export_path: where Export goes
     by default.  session_path: the session file last opened or saved.  interaction: the stroke or
-    drag in progress.  progress: what is told how far reading and saving are.
+    drag in progress.  progress: what is told how far reading and saving are.  viewpoint: where
+    the person looks from.  last_input: of the frame before.
     """
 
     def __init__(
@@ -75,6 +77,7 @@ class Workspace:
         self.map = "roles"
         self.message: Message | None = None
         self.progress: Progress | None = None
+        self.viewpoint = Viewpoint()
         self.adopt(document, session_path)
 
     def adopt(self, document: Document, session_path: Path | None = None) -> None:
@@ -91,7 +94,9 @@ class Workspace:
         self.parts = Parts(mesh)
         self._picker = Picker(mesh.vertices, mesh.faces)
         self._under: Latest[Hit | None] = Latest()
+        self.last_input: Input | None = None
         self._active = document.handles[0].key if document.handles else None
+        self.viewpoint.show(mesh.vertices[mesh.pieces >= 0])
 
     def say(self, text: str, kind: Literal["info", "error"] = "info") -> None:
         """Put a message on screen."""
@@ -134,6 +139,12 @@ class Workspace:
         if ray is None:
             return None
         return self._under((frame, self.surface.version), lambda: self.pick(ray))
+
+    @property
+    def hovered(self) -> int | None:
+        """The number of the part under the cursor, None for none."""
+        hit = None if self.last_input is None else self.under(self.last_input)
+        return None if hit is None else int(self.document.mesh.pieces[hit.vertex])
 
     def pick(self, ray: Ray) -> Hit | None:
         """The first point of the surface on screen that the ray meets."""

@@ -17,7 +17,7 @@ import numpy as np
 
 from app.model.document import Document
 from app.model.session import write_session
-from app.workspace.camera import Camera
+from app.viewpoint.framing import framing
 from benchmarks.tables import table
 from solver import load_mesh
 from solver.types import BoolArray, FloatArray
@@ -116,7 +116,7 @@ def measure(display: VirtualDisplay, folder: Path) -> tuple[int, list[list[str]]
     V = load_mesh(folder / "large.obj").vertices
     sitting = Sitting(display, folder, session)
     person, spans = sitting.person, {}
-    camera = Camera.framing(V, person.size(), _panel_width())
+    camera = framing(V, person.size(), _panel_width())
 
     def pixels(points: object) -> list[tuple[float, float]]:
         return [(float(x), float(y)) for x, y in camera.project(np.array(points))]

@@ -11,10 +11,10 @@ from numpy.typing import ArrayLike
 from app.editor.commands import Command, SetBrush, SetTool
 from app.editor.editor import Editor
 from app.model.document import Document
+from app.viewpoint.camera import FIELD_OF_VIEW, Camera
+from app.viewpoint.events import Input
 from app.worker.client import Worker
 from app.worker.requests import Request
-from app.workspace.camera import FIELD_OF_VIEW, Camera
-from app.workspace.events import Input
 from solver import Mesh
 from solver.types import FloatArray, IntArray
 from tests.app.inline import InlineWorker
@@ -79,7 +79,8 @@ class Person:
             inward = np.asarray(point, dtype=float) + INWARD * (self.centre - point)
             ((x, y),) = camera.project(inward[None])
             pixel = float(x), float(y)
-        self.editor.step(Input(pixel, camera, "p" in mouse, "d" in mouse, "r" in mouse, shift))
+        buttons = {"pressed": "p" in mouse, "down": "d" in mouse, "released": "r" in mouse}
+        self.editor.step(Input(pixel, camera, **buttons, shift=shift))
 
     def hold(self, points: Iterable[ArrayLike], shift: bool = False) -> Iterator[int]:
         """Press on the first point, move through the others: yields after each frame."""

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.workspace.camera import Camera
+from app.viewpoint.framing import framing
 from solver import load_mesh
 
 from .display import Picture
@@ -41,7 +41,7 @@ class Scene:
         self.panel = round(WIDTH)
         self.source = mesh.read_bytes()
         self.rest = load_mesh(mesh).vertices
-        self.camera = Camera.framing(self.rest, person.size(), WIDTH)
+        self.camera = framing(self.rest, person.size(), WIDTH)
 
     def pixels(self, path: Sequence[World]) -> list[Point]:
         return [(x, y) for x, y in self.camera.project(np.array(path, dtype=float))]

@@ -29,7 +29,7 @@ def test_the_camera_is_still_while_something_is_painted_or_dragged(ready: Scene)
     wait_until(lambda: (scene.silhouette() != start).any(), what="the arm to move")
     shoulder = int(scene.pixels([(0.1, 1.4, 0.0)])[0][0]) - scene.panel
     assert np.array_equal(scene.silhouette()[:, :shoulder], start[:, :shoulder])
-    person.key("r")
+    person.key("ctrl+r")
     wait_until(lambda: np.array_equal(scene.silhouette(), start), what="the arm at rest")
 
 
@@ -40,7 +40,7 @@ def test_the_camera_moves_beside_the_surface_and_while_navigating(plate: Scene) 
 
     def expect_another_view(what: str) -> None:
         wait_until(lambda: (scene.silhouette() != start).any(), what=what)
-        person.key("f")
+        person.key("Home")
         wait_until(lambda: np.array_equal(scene.silhouette(), start), what="the framed view")
 
     person.key("2")

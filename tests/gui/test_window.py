@@ -81,7 +81,7 @@ def test_undo_and_redo_go_back_and_forth(ready: Scene) -> None:
     ):
         person.key(key)
         assert state() == expected, key
-    person.key("r")
+    person.key("ctrl+r")
     assert scene.save_mesh() == scene.source
 
 

@@ -10,6 +10,7 @@ from app.editor.actions.poses import POSE_ACTIONS
 from app.editor.actions.regions import REGION_ACTIONS
 from app.editor.actions.settings import SETTING_ACTIONS
 from app.editor.actions.softness import SOFTNESS_ACTIONS
+from app.editor.actions.view import VIEW_ACTIONS
 from app.editor.file_actions import FILE_ACTIONS
 
 ACTIONS: Actions = {
@@ -20,5 +21,6 @@ ACTIONS: Actions = {
     **PART_ACTIONS,
     **POSE_ACTIONS,
     **HISTORY_ACTIONS,
+    **VIEW_ACTIONS,
     **FILE_ACTIONS,
 }

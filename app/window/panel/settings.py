@@ -81,8 +81,9 @@ def pose(editor: Editor, asked: list[c.Command]) -> None:
         psim.SetItemTooltip("Frames on every triangle: slower, hardly better")
         if changed:
             asked.append(c.SetSetting("coarse", not exact))
-    if psim.Button("Reset pose (R)"):
+    if psim.Button("Reset pose"):
         asked.append(c.ResetPose())
+    psim.SetItemTooltip("Every handle back to rest (Ctrl+R)")
     psim.SameLine()
     for label, command, entries in (
         ("Undo", c.Undo(), editor.history.done),

@@ -20,8 +20,8 @@ def status(editor: Editor, asked: list[c.Command]) -> None:
     psim.Text(f"{document.path.name}{mark}")
     psim.SameLine(WIDTH - 114.0)
     if psim.SmallButton("Frame"):
-        asked.append(WindowAction("frame"))
-    psim.SetItemTooltip("Show the whole mesh (F)")
+        asked.append(c.ViewFrom("front"))
+    psim.SetItemTooltip("Show the whole mesh from the front (Home); F frames what is selected")
     psim.SameLine()
     if psim.SmallButton("Help"):
         asked.append(WindowAction("help"))

@@ -9,7 +9,8 @@ import pytest
 
 from app.editor import commands as c
 from app.tools.table import TOOLS
-from app.tools.tool import brush_rim
+from app.tools.tool import brush_cursor
+from app.workspace.overlay import NOTHING
 from tests.app.person import Person, state
 
 OFF_THE_MESH = [30.0, 2.0, 0.0]
@@ -35,7 +36,7 @@ def test_a_press_beside_the_mesh_is_left_to_the_camera(ready: Person, tool: str)
     before = state(ready.editor.document)
     for _ in ready.hold([OFF_THE_MESH, [19, 2, 0], [10, 2, 0]]):
         assert not ready.editor.captures
-        assert ready.editor.cursor is None
+        assert ready.editor.cursor is NOTHING
     ready.frame([10, 2, 0], "r")
     assert state(ready.editor.document) == before
 
@@ -99,7 +100,7 @@ def test_the_brush_hovers_over_the_surface_with_painting_tools_only(ready: Perso
     for tool in TOOLS:
         ready.use(tool)
         ready.frame([10, 2, 0])
-        assert (ready.editor.cursor is not None) == (TOOLS[tool].cursor is brush_rim)
+        assert (ready.editor.cursor is not NOTHING) == (TOOLS[tool].cursor is brush_cursor)
     ready.use("fixed")
     ready.frame(OFF_THE_MESH)
-    assert ready.editor.cursor is None
+    assert ready.editor.cursor is NOTHING

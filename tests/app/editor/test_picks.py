@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from app.workspace.camera import Ray
+from app.viewpoint.camera import Ray
 from app.workspace.picking import Hit, Picker
 from solver.types import FloatArray
 from tests.app.person import Person

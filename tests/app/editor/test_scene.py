@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 
 from app.editor import commands as c
+from app.model.handles import FIXED
 from app.tools.table import TOOLS
 from app.tools.tool import Tool
-from app.workspace.camera import Pixel
-from app.workspace.events import Input
-from app.workspace.scene import ERASING, PAINTING, Outline
+from app.viewpoint.camera import Pixel
+from app.viewpoint.events import Input
+from app.workspace.overlay import ERASING, PAINTING, Outline, Overlay
 from app.workspace.workspace import Workspace
 from tests.app.person import Person
 
@@ -64,17 +65,34 @@ def test_pins_are_seen_with_the_softness_only(ready: Person) -> None:
     assert ready.editor.scene().dots is None
 
 
-def test_the_rim_of_the_brush_is_a_circle_on_the_surface(bar: Person) -> None:
-    bar.use("fixed", 1.5)
+@pytest.mark.parametrize("radius", [0.2, 1.5, 2.4])
+def test_the_rim_of_the_brush_is_a_circle_on_the_surface(bar: Person, radius: float) -> None:
+    bar.use("fixed", radius)
     for shift, color in ((False, PAINTING), (True, ERASING)):
         bar.frame([10.2, 2.3, 0], shift=shift)
-        outline = bar.editor.scene().outline
-        assert outline is not None
+        (outline,) = bar.editor.scene().overlay.outlines
         assert outline.color == color
-        assert outline.closed
-        away = outline.corners - [10.2, 2.3, 0]
-        np.testing.assert_allclose(np.linalg.norm(away, axis=1), 1.5, atol=1e-4)
-        np.testing.assert_allclose(away[:, 2], 0, atol=1e-4)
+        away = outline.segments - [10.2, 2.3, 0]
+        np.testing.assert_allclose(np.linalg.norm(away, axis=2), radius, atol=1e-4)
+        np.testing.assert_allclose(away[..., 2], 0, atol=1e-4)
+        assert np.ptp(np.arctan2(away[..., 1], away[..., 0])) > 5, "all around"
+
+
+def test_the_rim_shows_what_a_dab_takes(bar: Person) -> None:
+    """At the edge of the bar it bends over, and what lies on the far side is outside."""
+    bar.use("fixed", 1.7)
+    place = [10.2, 0.4, 0.0]
+    bar.frame(place)
+    (outline,) = bar.editor.scene().overlay.outlines
+    bar.stroke(place)
+    taken = bar.editor.document.role == FIXED
+    mesh = bar.editor.document.mesh
+    top = np.flatnonzero(mesh.vertices[:, 2] == 0)
+    away = np.linalg.norm(mesh.vertices[top] - place, axis=1)
+    np.testing.assert_array_equal(taken[top], away < 1.7)
+    ends = np.linalg.norm(outline.segments - place, axis=2)
+    np.testing.assert_allclose(ends, 1.7, atol=1e-3)
+    assert (outline.segments[..., 2] > -1e-6).all(), "what faces away is not drawn"
 
 
 class Loop:
@@ -104,17 +122,17 @@ def test_a_tool_may_begin_beside_the_surface_and_draw_where_it_has_been(
         loops.append(Loop(press))
         return loops[-1]
 
-    def line(work: Workspace, frame: Input) -> Outline | None:
+    def line(work: Workspace, frame: Input) -> Overlay:
         rays = [frame.camera.ray(pixel) for loop in loops for pixel in loop.pixels if pixel]
-        return Outline(np.array([ray.at(1.0) for ray in rays]), PAINTING, closed=False)
+        corners = np.array([ray.at(1.0) for ray in rays])
+        return Overlay((Outline.through(corners, PAINTING, closed=False),))
 
     monkeypatch.setitem(TOOLS, "lasso", Tool("Lasso", "6", begin, line))
     bar.use("lasso")
     for count, _ in enumerate(bar.hold([[-3, -3, 0], [24, -3, 0], [24, 7, 0]]), start=1):
         assert bar.editor.captures
-        outline = bar.editor.scene().outline
-        assert outline is not None
-        assert outline.corners.shape == (count, 3)
+        (outline,) = bar.editor.scene().overlay.outlines
+        assert outline.segments.shape == (count - 1, 2, 3)
     bar.frame(None, "r")
     assert not bar.editor.captures
     assert len(loops) == 1

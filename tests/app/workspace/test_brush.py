@@ -2,8 +2,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from app.viewpoint.camera import Ray
 from app.workspace.brush import Neighbours
-from app.workspace.camera import Ray
 from app.workspace.picking import Hit, Picker
 from solver import Mesh
 from solver.softness.falloff import falloff

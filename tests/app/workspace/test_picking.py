@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.workspace.camera import Ray
+from app.viewpoint.camera import Ray
 from app.workspace.picking import Picker
 from solver.types import FloatArray
 from tests.app.person import sheet

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from app.workspace.camera import Camera, Pixel, Ray
+from app.viewpoint.camera import Camera, Pixel, Ray
 
 
 @dataclass(frozen=True, eq=False)
@@ -16,7 +16,9 @@ class Input:
     camera: what the person sees the scene through.
     pressed, released: the primary button went down or up in this frame (both: a quick click).
     down: the button is down at the end of this frame.
-    shift: the shift key is down.
+    clicks: how many presses in quick succession a press is the last of.
+    secondary, middle: these buttons are down.  wheel: notches, away from the person positive.
+    shift, ctrl, alt: these keys are down.
     """
 
     pixel: Pixel | None
@@ -24,7 +26,13 @@ class Input:
     pressed: bool = False
     down: bool = False
     released: bool = False
+    clicks: int = 1
+    secondary: bool = False
+    middle: bool = False
+    wheel: float = 0.0
     shift: bool = False
+    ctrl: bool = False
+    alt: bool = False
 
     @cached_property
     def ray(self) -> Ray | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +13,6 @@ from solver.types import FloatArray
 Pixel = tuple[float, float]  # x to the right and y down, from the top left corner
 
 FIELD_OF_VIEW = np.radians(45.0)  # vertical
-FIT = 1.15  # how much larger than the mesh a framed view is
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,17 +50,13 @@ class Camera:
         right = _unit(np.cross(forward, [0.0, 1.0, 0.0]))
         return Camera(eye, forward, np.cross(right, forward), fov, size)
 
-    @staticmethod
-    def framing(positions: FloatArray, size: tuple[float, float], inset: float = 0.0) -> Camera:
-        """From the front, the whole of `positions` (n, 3), right of `inset` pixels of panel."""
-        low, high = positions.min(axis=0), positions.max(axis=0)
-        wide, tall, deep = high - low
-        width, height = size
-        # Height of the view, in world units, at the front of the bounding box.
-        view = max(FIT * max(tall, wide * height / max(width - inset, 1.0)), 1e-9)
-        target = 0.5 * (low + high) - [0.5 * inset / height * view, 0.0, 0.0]
-        distance = 0.5 * view / np.tan(0.5 * FIELD_OF_VIEW) + 0.5 * deep
-        return Camera.look_at(target + [0.0, 0.0, distance], target, FIELD_OF_VIEW, size)
+    def placed(self, position: FloatArray) -> Camera:
+        """The same camera elsewhere."""
+        return replace(self, position=position)
+
+    def resized(self, size: tuple[float, float]) -> Camera:
+        """The same camera in a window of another size."""
+        return self if size == self.size else replace(self, size=size)
 
     @property
     def right(self) -> FloatArray:
@@ -88,9 +83,18 @@ class Camera:
         y = 0.5 * self.size[1] - scale * (away @ self.up)
         return np.column_stack([x, y])
 
+    def depth(self, point: FloatArray) -> float:
+        """How far a point is along the direction of view."""
+        return float((point - self.position) @ self.forward)
+
+    def at_depth(self, pixel: Pixel, depth: float) -> FloatArray:
+        """(3,) the point under a pixel that is so far along the direction of view."""
+        ray = self.ray(pixel)
+        return ray.at(depth / float(ray.direction @ self.forward))
+
     def units_per_pixel(self, point: FloatArray) -> float:
         """World length that one pixel covers at the depth of `point`."""
-        return float((point - self.position) @ self.forward) / self._focal_length
+        return self.depth(point) / self._focal_length
 
 
 def rays_between(before: Ray, now: Ray, count: int) -> Iterator[Ray]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.workspace.camera import FIELD_OF_VIEW, Camera
+from app.viewpoint.camera import FIELD_OF_VIEW, Camera
+from app.viewpoint.framing import framing
 from solver.types import FloatArray
 
 SIZE, INSET = (1280.0, 800.0), 310.0
@@ -69,7 +70,7 @@ def test_a_framed_view_shows_everything_beside_the_panel(
     box: tuple[float, float, float], scale: float, inset: float
 ) -> None:
     points = corners(box, scale)
-    pixels = Camera.framing(points, SIZE, inset).project(points)
+    pixels = framing(points, SIZE, inset).project(points)
     assert (pixels > [inset, 0]).all()
     assert (pixels < SIZE).all()
     room = np.array([SIZE[0] - inset, SIZE[1]])
@@ -78,6 +79,6 @@ def test_a_framed_view_shows_everything_beside_the_panel(
 
 
 def test_a_view_is_framed_from_the_front() -> None:
-    camera = Camera.framing(corners(BOXES["even"]), SIZE)
+    camera = framing(corners(BOXES["even"]), SIZE)
     np.testing.assert_allclose(camera.forward, [0, 0, -1], atol=1e-12)
     np.testing.assert_allclose(camera.up, [0, 1, 0], atol=1e-12)

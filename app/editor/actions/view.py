@@ -1,0 +1,54 @@
+"""What the commands do to the camera."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app.editor import commands as c
+from app.editor.action import Actions, check_name
+from app.viewpoint.viewpoint import SIDES, UPS
+from app.workspace.workspace import Workspace
+from solver.types import IntArray
+
+
+def frame_selected(work: Workspace, command: c.FrameSelected) -> None:
+    chosen = _selected(work)
+    positions = work.positions[chosen]
+    if work.viewpoint.frames(positions):
+        positions = work.positions[_all(work)]
+    work.viewpoint.frame(positions)
+
+
+def view_from(work: Workspace, command: c.ViewFrom) -> None:
+    check_name(command.side, SIDES, "side")
+    work.viewpoint.view_from(command.side, work.positions[_all(work)])
+
+
+def set_up(work: Workspace, command: c.SetUp) -> None:
+    check_name(command.name, UPS, "axis")
+    work.viewpoint.set_up(command.name)
+    work.viewpoint.view_from("front", work.positions[_all(work)])
+
+
+def _selected(work: Workspace) -> IntArray:
+    """The vertices of the active handle, else of the part under the cursor, else all."""
+    active = work.active
+    if active is not None and len(vertices := work.document.vertices_of(active.key)):
+        return vertices
+    if work.hovered is not None:
+        return np.flatnonzero(work.document.mesh.pieces == work.hovered)
+    return _all(work)
+
+
+def _all(work: Workspace) -> IntArray:
+    """The vertices of all that is seen; where everything is hidden, of the whole mesh."""
+    used = work.document.mesh.pieces >= 0
+    seen = used & work.parts.visible
+    return np.flatnonzero(seen if seen.any() else used)
+
+
+VIEW_ACTIONS: Actions = {
+    c.FrameSelected: frame_selected,
+    c.ViewFrom: view_from,
+    c.SetUp: set_up,
+}

@@ -1,0 +1,45 @@
+"""What a person chooses: the tool, how it works, the map that is shown."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from app.editor.commands.command import Command
+
+
+@dataclass(frozen=True)
+class SetTool(Command):
+    """Take one of tools.TOOLS into the hand."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class SetBrush(Command):
+    """Change what is not None.
+
+    radius: fraction of the diagonal; strength, value in [0, 1]; mode: see Brush.
+    """
+
+    interrupts: ClassVar[bool] = False
+    radius: float | None = None
+    strength: float | None = None
+    value: float | None = None
+    mode: str | None = None
+
+
+@dataclass(frozen=True)
+class SetTurn(Command):
+    """Whether a dragged handle turns by itself or keeps its orientation."""
+
+    interrupts: ClassVar[bool] = False
+    on: bool
+
+
+@dataclass(frozen=True)
+class SetMap(Command):
+    """Show one of color_maps.MAPS."""
+
+    interrupts: ClassVar[bool] = False
+    name: str

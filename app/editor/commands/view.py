@@ -1,0 +1,34 @@
+"""What a person can ask of the camera."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from app.editor.commands.command import Command
+
+
+@dataclass(frozen=True)
+class FrameSelected(Command):
+    """See what is selected: the active handle, else the part under the cursor, else all.
+
+    Asked once more, all.
+    """
+
+    interrupts: ClassVar[bool] = False
+
+
+@dataclass(frozen=True)
+class ViewFrom(Command):
+    """See the whole mesh from one of viewpoint.SIDES."""
+
+    interrupts: ClassVar[bool] = False
+    side: str
+
+
+@dataclass(frozen=True)
+class SetUp(Command):
+    """Which axis is upright, one of viewpoint.UPS."""
+
+    interrupts: ClassVar[bool] = False
+    name: str
