@@ -15,10 +15,10 @@ from app.editor.editor import Editor
 from app.editor.file_actions import load_document, open_command
 from app.editor.unsaved import keep_unsaved
 from app.viewpoint.camera import Camera
+from app.window.messages import Messages, overlay
 from app.window.mouse_and_keys import read_mouse, read_shortcuts
 from app.window.opening import open_window
-from app.window.overlay import Messages, overlay
-from app.window.overlay_lines import draw_overlay
+from app.window.overlay import draw_overlay
 from app.window.panel import WIDTH, Panel
 from app.window.progress_frames import ProgressFrames
 from app.window.shortcuts import WindowAction

@@ -1,59 +1,42 @@
-"""Messages at the lower end of the scene: what went wrong, what was done, what takes its time."""
+"""Draws an Overlay over the scene, on ImGui's list of what lies behind the panel."""
 
 from __future__ import annotations
 
-import time
-
+import numpy as np
 import polyscope.imgui as psim
 
-from app.window.panel.widgets import ERROR_COLOR, WIDTH
-from app.workspace.workspace import Message
+from app.viewpoint.camera import Camera
+from app.workspace.overlay import Label, Outline, Overlay
 
-BAR_WIDTH = 240.0
-MESSAGE_SECONDS = {"info": 4.0, "error": 10.0}
-PLACE = (
-    psim.ImGuiWindowFlags_NoDecoration
-    | psim.ImGuiWindowFlags_NoInputs
-    | psim.ImGuiWindowFlags_AlwaysAutoResize
-    | psim.ImGuiWindowFlags_NoSavedSettings
-)
+# A line is bright on a wider dark one, so that it is seen on every colour.
+DARK, DARK_WIDTH, BRIGHT_WIDTH = (30, 30, 40, 200), 4.0, 2.0
+BESIDE = (16.0, 12.0)  # pixels from what a label is beside
+MARGIN = 5.0
 
 
-class Messages:
-    """Shows each message for as long as it takes to read it."""
-
-    def __init__(self) -> None:
-        self._number = 0
-        self._until = 0.0
-
-    def draw(self, message: Message | None) -> None:
-        """The last message, once a frame; nothing when its time is over."""
-        if message is None:
-            return
-        if message.number != self._number:
-            self._number = message.number
-            self._until = time.perf_counter() + MESSAGE_SECONDS[message.kind]
-        if time.perf_counter() < self._until:
-            overlay("message", message.text, error=message.kind == "error")
+def draw_overlay(overlay: Overlay, camera: Camera) -> None:
+    """Once a frame."""
+    for outline in overlay.outlines:
+        _lines(outline, camera)
+    for label in overlay.labels:
+        _label(label)
 
 
-def overlay(name: str, text: str, error: bool = False, fraction: float | None = None) -> None:
-    """A line or more in the middle of the scene's lower end; the panel is beside it.
+def _lines(outline: Outline, camera: Camera) -> None:
+    """What is behind the camera is left out."""
+    pixels = camera.project(outline.segments.reshape(-1, 3)).reshape(-1, 2, 2)
+    ends = pixels[np.isfinite(pixels).all(axis=(1, 2))].tolist()
+    draw = psim.GetBackgroundDrawList()
+    for color, width in ((DARK, DARK_WIDTH), ((*outline.color, 255), BRIGHT_WIDTH)):
+        packed = psim.IM_COL32(*color)
+        for start, end in ends:
+            draw.AddLine(start, end, packed, width)
 
-    fraction: of a bar below that shows how far something is, None without one.
-    """
-    width, height = psim.GetIO().DisplaySize
-    psim.SetNextWindowPos((0.5 * (width + WIDTH), height - 30.0), 0, (0.5, 1.0))
-    psim.SetNextWindowBgAlpha(0.9)
-    psim.Begin(f"##{name}", PLACE)
-    psim.PushTextWrapPos(max(width - WIDTH - 60.0, 100.0))
-    try:
-        if error:
-            psim.TextColored(ERROR_COLOR, text)
-        else:
-            psim.Text(text)
-        if fraction is not None:
-            psim.ProgressBar(fraction, (BAR_WIDTH, 0.0))
-    finally:
-        psim.PopTextWrapPos()
-        psim.End()
+
+def _label(label: Label) -> None:
+    x, y = label.pixel[0] + BESIDE[0], label.pixel[1] + BESIDE[1]
+    width, height = psim.CalcTextSize(label.text)
+    draw = psim.GetBackgroundDrawList()
+    low, high = (x - MARGIN, y - MARGIN), (x + width + MARGIN, y + height + MARGIN)
+    draw.AddRectFilled(low, high, psim.IM_COL32(*DARK), MARGIN)
+    draw.AddText((x, y), psim.IM_COL32(240, 240, 245, 255), label.text)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import polyscope as ps
 
-from app.window.overlay import overlay
+from app.window.messages import overlay
 
 PAUSE = 0.1  # seconds between two frames: drawing them must not take the time that is waited for
 
