@@ -154,7 +154,7 @@ class Deformer:
         return self.drag_model.orient(handle, grabbed, target, transforms)
 
     def rebind(self, **changes: Any) -> Deformer:
-        """A new Deformer with some of the constructor's options changed.
+        """A Deformer with some of the constructor's options changed.
 
         Shares the mesh's connectivity, and the symbolic analysis where the same vertices are
         free. Giving softness or a material drops edge_gains, and the other way round; grabs are
@@ -167,12 +167,12 @@ class Deformer:
         return self.rebound(self.setup.changed(**changes))
 
     def rebound(self, setup: Setup) -> Deformer:
-        """A new Deformer bound to `setup`, as `rebind`: what is equal by content is shared.
+        """A Deformer bound to `setup`, as `rebind`: this one where nothing differs by content.
 
         >>> np.array_equal(deformer.rebound(deformer.setup).pose([T]), X)
         True
         """
-        return _deformer(rebind_surface(self._bound, setup))
+        return self if setup == self.setup else _deformer(rebind_surface(self._bound, setup))
 
     def prepare(self) -> None:
         """Find now what belongs to the mesh alone and is otherwise found when it is first needed.

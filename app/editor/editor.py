@@ -20,6 +20,10 @@ from app.workspace.workspace import Workspace
 from solver.errors import SolverError
 from solver.types import FloatArray
 
+TO_BEGIN = (
+    f"Paint a handle ({TOOLS['handle'].key}), "
+    f"or take the drag tool ({TOOLS['drag'].key}), click what stays and drag"
+)
 TO_DRAG = f"Take the drag tool ({TOOLS['drag'].key}), then press on a handle and drag"
 
 
@@ -143,7 +147,7 @@ class Editor(Workspace):
         """What to do next, or what is missing before a drag is possible."""
         role = self.document.role
         if not (role >= FIRST_HANDLE).any():
-            return f"Paint a handle ({TOOLS['handle'].key})"
+            return TOOLS[self.tool].hint or TO_BEGIN
         if self.waits:
             return "Binding ..." if self.worker.binding else "Refining ..."
         if self.surface.bind_error:
@@ -192,7 +196,7 @@ class Editor(Workspace):
         if begin is not None and not frame.alt:
             self.interaction = begin(self, frame)
         if self.interaction is None:
-            self._left = "pan" if frame.shift else "orbit"
+            self._left = "pan" if frame.shift and not frame.alt else "orbit"
         else:
             self._touch(frame)
 

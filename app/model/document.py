@@ -14,15 +14,18 @@ from typing import Any
 
 import numpy as np
 
-from app.model.handles import FIRST_HANDLE, FIXED, Handle, Pose
+from app.model.handles import FIRST_HANDLE, FIXED, GRAB, Handle, Pose
 from app.model.settings import SETTINGS, coarse_count
 from solver import Setup
 from solver.mesh.mesh import Mesh
 from solver.softness.material import Material
 from solver.types import BoolArray, FloatArray, IntArray
 
-FIELDS = ("role", "handles", "pose", "softness", "pinned", "material", *SETTINGS)
-BIND_FIELDS = ("role", "softness", "material", "bending_length", "orientation", "attach", "coarse")
+FIELDS = ("role", "handles", "pose", "softness", "pinned", "material", "grab", *SETTINGS)
+BIND_FIELDS = (
+    *("role", "softness", "material", "grab"),
+    *("bending_length", "orientation", "attach", "coarse"),
+)
 
 # One clock for all documents: a revision never comes back, not even after opening another mesh.
 clock = itertools.count(1)
@@ -45,6 +48,7 @@ class Document:
     pose: where they are.
     softness: (n,) in [0, 1].  pinned: (n,) whose softness a fill keeps; no session holds it.
     material: a preset's name or a Material.
+    grab: (n,) the weights of what is grabbed softly now, None for nothing; no session holds it.
     bending_length, orientation, rigid, attach, coarse: the solver's settings (SETTINGS).
     revision: for each field a number that grows whenever the field changes.
     """
@@ -60,6 +64,7 @@ class Document:
         self.softness: FloatArray = np.zeros(len(mesh.vertices))
         self.pinned: BoolArray = np.zeros(len(mesh.vertices), dtype=bool)
         self.material: str | Material = "hinge"
+        self.grab: FloatArray | None = None
         self.bending_length: float = SETTINGS["bending_length"].default
         self.orientation: bool = SETTINGS["orientation"].default
         self.rigid: int = SETTINGS["rigid"].default
@@ -115,17 +120,18 @@ class Document:
         """The handle with this key, if there is one."""
         return next((handle for handle in self.handles if handle.key == key), None)
 
-    def new_handle(self, name: str = "") -> Handle:
+    def new_handle(self, name: str = "", pin: bool = False) -> Handle:
         """A handle at rest, not yet part of the document; without a name it gets a free one."""
         taken = {handle.name for handle in self.handles}
-        free = (f"handle {k}" for k in itertools.count(1) if f"handle {k}" not in taken)
-        return Handle(next(self._keys), name or next(free))
+        kind = "pin" if pin else "handle"
+        free = (f"{kind} {k}" for k in itertools.count(1) if f"{kind} {k}" not in taken)
+        return Handle(next(self._keys), name or next(free), pin)
 
     def setup(self) -> Setup:
         """What the solver is bound to; handles without a vertex stay out."""
         return Setup(
             fixed=self.fixed,
-            handles=[self.vertices_of(key) for key in self.bound_keys],
+            handles=[self.vertices_of(key) for key in self.bound_keys if key != GRAB],
             softness=self.softness,
             material=self.material,
             bending_length=self.bending_length,
@@ -145,9 +151,10 @@ class Document:
 
     @property
     def bound_keys(self) -> tuple[int, ...]:
-        """The keys of the handles that have vertices, in their order."""
+        """The keys of what can be posed: handles with vertices, in their order, then a grab."""
         used = np.unique(self.role)
-        return tuple(handle.key for handle in self.handles if handle.key in used)
+        keys = [handle.key for handle in self.handles if handle.key in used]
+        return (*keys, GRAB) if self.grab is not None else tuple(keys)
 
     @cached_property
     def diagonal(self) -> float:

@@ -11,14 +11,19 @@ from solver.types import FloatArray
 
 # The roles of vertices. A handle's key is the role of its vertices.
 FREE, FIXED, FIRST_HANDLE = 0, 1, 2
+GRAB = -1  # the key of what is grabbed softly: it has no vertices of its own
 
 
 @dataclass(frozen=True)
 class Handle:
-    """A named region that moves as one. `key`, FIRST_HANDLE or more, stays as long as the mesh."""
+    """A named region that moves as one. `key`, FIRST_HANDLE or more, stays as long as the mesh.
+
+    pin: whether it is a spot that a click put there, not a painted region.
+    """
 
     key: int
     name: str
+    pin: bool = False
 
 
 @dataclass(frozen=True, eq=False)

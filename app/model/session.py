@@ -15,7 +15,7 @@ import numpy as np
 
 from app.model import schema
 from app.model.document import Document
-from app.model.handles import FIXED, FREE
+from app.model.handles import FIXED, FREE, Handle
 from app.model.schema import SessionError
 from app.model.settings import SETTINGS
 from solver.mesh.mesh import Mesh
@@ -35,6 +35,13 @@ def _material(value: Any, where: str) -> str | Material:
     return value
 
 
+_HANDLE = schema.fields(
+    {
+        "name": schema.text,
+        "vertices": schema.list_of(schema.count),
+        "transform": schema.transform,
+    }
+)
 SESSION = schema.fields(
     {
         "format": schema.that(lambda v: v == FORMAT, f'"{FORMAT}"'),
@@ -44,15 +51,8 @@ SESSION = schema.fields(
             required=("path",),
         ),
         "fixed": schema.list_of(schema.count),
-        "handles": schema.list_of(
-            schema.fields(
-                {
-                    "name": schema.text,
-                    "vertices": schema.list_of(schema.count),
-                    "transform": schema.transform,
-                }
-            )
-        ),
+        "handles": schema.list_of(_HANDLE),
+        "pins": schema.list_of(_HANDLE),
         "softness": schema.list_of(schema.share),
         "material": _material,
         "settings": schema.fields(
@@ -90,13 +90,9 @@ def to_document(session: Session, mesh: Mesh, mesh_path: Path) -> Document:
     try:
         _check_counts(data["mesh"], mesh)
         _give_role(document, data.get("fixed", []), FIXED, "fixed")
-        for number, entry in enumerate(data.get("handles", [])):
-            handle = document.new_handle(entry.get("name", ""))
-            document.change("handles", (*document.handles, handle))
-            if "transform" in entry:
-                document.change("pose", document.pose.moved(handle.key, entry["transform"]))
-            where = f"handles[{number}].vertices"
-            _give_role(document, entry.get("vertices", []), handle.key, where)
+        for kind in ("handles", "pins"):
+            for number, entry in enumerate(data.get(kind, [])):
+                _add_handle(document, entry, kind == "pins", f"{kind}[{number}]")
         _set_softness(document, data.get("softness"))
         _check_pieces(data.get("settings", {}).get("attach", True), mesh)
     except SessionError as error:
@@ -119,21 +115,32 @@ def write_session(path: Path, document: Document) -> None:
             "faces": len(mesh.faces),
         },
         "fixed": document.fixed.tolist(),
-        "handles": [
-            {
-                "name": handle.name,
-                "vertices": document.vertices_of(handle.key).tolist(),
-                "transform": document.pose.of(handle.key).tolist(),
-            }
-            for handle in document.handles
-        ],
+        "handles": [_handle(document, h) for h in document.handles if not h.pin],
         "material": vars(material) if isinstance(material, Material) else material,
         "settings": _settings(document),
     }
+    if pins := [_handle(document, h) for h in document.handles if h.pin]:
+        data["pins"] = pins
     if document.softness.any():
         data["softness"] = document.softness.tolist()
     lines = [f" {json.dumps(key)}: {json.dumps(data[key], allow_nan=False)}" for key in data]
     write_atomically(path, ("{\n" + ",\n".join(lines) + "\n}\n").encode())
+
+
+def _handle(document: Document, handle: Handle) -> dict[str, Any]:
+    return {
+        "name": handle.name,
+        "vertices": document.vertices_of(handle.key).tolist(),
+        "transform": document.pose.of(handle.key).tolist(),
+    }
+
+
+def _add_handle(document: Document, entry: dict[str, Any], pin: bool, where: str) -> None:
+    handle = document.new_handle(entry.get("name", ""), pin)
+    document.change("handles", (*document.handles, handle))
+    if "transform" in entry:
+        document.change("pose", document.pose.moved(handle.key, entry["transform"]))
+    _give_role(document, entry.get("vertices", []), handle.key, f"{where}.vertices")
 
 
 def _settings(document: Document) -> dict[str, Any]:

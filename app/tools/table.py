@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.tools.drag import begin_drag
+from app.tools.press import begin_drag, drag_cursor
 from app.tools.role_strokes import paint_fixed, paint_handle
 from app.tools.softness_strokes import paint_softness
 from app.tools.tool import Tool, brush_cursor
@@ -30,9 +30,10 @@ TOOLS = {
         "Drag",
         "5",
         begin_drag,
-        options=("turns by itself",),
+        drag_cursor,
+        options=("turns by itself", "keep"),
         map="roles",
         keeps_heat=True,
-        hint="Press on a handle and drag",
+        hint="Drag a handle, or the bare surface; a click pins it",
     ),
 }

@@ -7,10 +7,12 @@ from dataclasses import dataclass
 
 from app.viewpoint.events import Input
 from app.workspace.brush_rim import brush_rim
+from app.workspace.nearby import near_surface
 from app.workspace.overlay import ERASING, NOTHING, PAINTING, Overlay
 from app.workspace.picking import Hit
 from app.workspace.workspace import Interaction, Workspace
 
+NEAR_SURFACE = 15.0  # pixels beside the surface that still count
 Begin = Callable[[Workspace, Input], Interaction | None]
 Cursor = Callable[[Workspace, Input], Overlay]
 
@@ -41,10 +43,10 @@ class Tool:
 
 
 def on_surface(begin: Callable[[Workspace, Input, Hit], Interaction | None]) -> Begin:
-    """Starts only where the press meets the surface, and is told where that is."""
+    """Starts only where the press meets the surface, or all but meets it, and is told where."""
 
     def begin_there(work: Workspace, press: Input) -> Interaction | None:
-        hit = work.under(press)
+        hit = near_surface(work, press, NEAR_SURFACE)
         return None if hit is None else begin(work, press, hit)
 
     return begin_there
@@ -52,7 +54,7 @@ def on_surface(begin: Callable[[Workspace, Input, Hit], Interaction | None]) -> 
 
 def brush_cursor(work: Workspace, frame: Input) -> Overlay:
     """The rim of the brush on the surface under the cursor, in another colour where it erases."""
-    hit = work.under(frame)
+    hit = near_surface(work, frame, NEAR_SURFACE)
     if hit is None:
         return NOTHING
     corners = work.positions[work.parts.faces[hit.face]]

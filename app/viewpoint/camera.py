@@ -68,6 +68,11 @@ class Camera:
         """Distance, in pixels, at which one unit is one pixel."""
         return 0.5 * self.size[1] / float(np.tan(0.5 * self.fov))
 
+    @property
+    def pixel_angle(self) -> float:
+        """The angle of a pixel in the middle of the picture, in radians."""
+        return 1.0 / self._focal_length
+
     def ray(self, pixel: Pixel) -> Ray:
         """The ray through a pixel."""
         x, y = pixel[0] - 0.5 * self.size[0], 0.5 * self.size[1] - pixel[1]

@@ -33,6 +33,7 @@ class BindRequest:
     version: of the document it was taken from. mesh: a number that names the mesh.
     keys: (h,) of the handles that have vertices, in the order of the setup's.
     rigid, transforms: the level and the (h, 4, 4) that the surface is posed at for a start.
+    grab: (n,) the weights of a soft handle, whose key is the last; None for none.
     """
 
     version: int
@@ -43,6 +44,7 @@ class BindRequest:
     setup: Setup
     rigid: int
     transforms: FloatArray
+    grab: FloatArray | None = None
 
     @property
     def answer_size(self) -> int:

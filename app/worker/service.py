@@ -21,7 +21,7 @@ Last = tuple[int, Deformer]  # the number of the mesh, and what is bound of it
 
 
 def bind(request: BindRequest, last: Last | None = None) -> Deformer:
-    """The deformer for a request, sharing what it can with the last one of the same mesh.
+    """The deformer for a request without its grab, sharing what it can with the last one of a mesh.
 
     Raises OutOfMemory before it is tried, or what binding raises.
     """
@@ -33,7 +33,7 @@ def bind(request: BindRequest, last: Last | None = None) -> Deformer:
     if not request.keys:  # nothing to pose: a mesh was opened
         deformer.prepare()
     # What the first pose of a level prepares belongs to the bind, not to the first drag frame.
-    deformer.pose([np.eye(4)] * len(request.keys), rigid=request.rigid)
+    deformer.pose([np.eye(4)] * deformer.handle_count, rigid=request.rigid)
     return deformer
 
 
@@ -58,6 +58,7 @@ class SolverService:
 
     def __init__(self) -> None:
         self._shared: Last | None = None
+        self._posed: Deformer | None = None  # that one, with what is grabbed now
         self._version: int | None = None  # of the bind that can be refined
 
     def answer(self, request: Request) -> Answer:
@@ -81,10 +82,12 @@ class SolverService:
     def _bind(self, request: BindRequest) -> DragModel:
         shared = released(self._shared, request)
         if shared is not self._shared:
-            self._shared, self._version = shared, None
+            self._shared, self._posed, self._version = shared, None, None
         deformer = bind(request, shared)
-        self._shared, self._version = (request.mesh, deformer), request.version
-        return deformer.drag_model
+        self._shared = request.mesh, deformer
+        self._posed = deformer if request.grab is None else deformer.grab(request.grab)
+        self._version = request.version
+        return self._posed.drag_model
 
     def _first_pose(self, request: Request, value: object) -> Answer | None:
         """The surface with the bind, so that a slider that binds all the time shows what it does.
@@ -98,6 +101,6 @@ class SolverService:
         return self.answer(request.first_pose)
 
     def _refine(self, request: RefineRequest) -> FloatArray:
-        if self._shared is None or self._version != request.version:
+        if self._posed is None or self._version != request.version:
             raise WorkerError(f"bind {request.version} is asked for, which is not the last one")
-        return self._shared[1].pose(list(request.transforms), rigid=request.rigid)
+        return self._posed.pose(list(request.transforms), rigid=request.rigid)

@@ -22,7 +22,10 @@ def preparation(document: Document) -> BindRequest:
 
 
 def bind_request(document: Document) -> BindRequest:
-    """The bind that a document asks for as it is now; handles without a vertex stay out."""
+    """The bind that a document asks for as it is now; handles without a vertex stay out.
+
+    What a level prepares for its first pose takes longer than to grab: it is left to that pose.
+    """
     keys = document.bound_keys
     return BindRequest(
         version=document.bind_version,
@@ -31,6 +34,7 @@ def bind_request(document: Document) -> BindRequest:
         vertices=document.mesh.vertices,
         faces=document.mesh.faces,
         setup=document.setup(),
-        rigid=document.rigid,
+        rigid=document.rigid if document.grab is None else 0,
         transforms=document.pose.stacked(keys),
+        grab=document.grab,
     )

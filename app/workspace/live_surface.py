@@ -8,6 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from app.model.document import Document, clock
+from app.model.handles import GRAB
 from app.worker.client import Worker
 from app.worker.requests import (
     BindRequest,
@@ -61,12 +62,14 @@ class LiveSurface:
     def follow(self, document: Document, editing: bool, dragging: bool) -> None:
         """Take what the worker has finished, ask for what the document needs, pose the surface.
 
-        editing: a stroke or drag is under way: no bind is asked for.  dragging: it moves handles.
-        Raises SolverError if there is no pose to show.
+        editing: a stroke or drag is under way: no bind is asked for, but for what it grabs.
+        dragging: it moves handles. Raises SolverError if there is no pose to show.
         """
-        if not editing:
+        if not editing or document.grab is not None:
             self._request_bind(document)
         self._take_results()
+        # What is only being grabbed is not dragged yet: its bind makes no drag a slow one.
+        dragging = dragging and (document.grab is None or self.holds(GRAB))
         self._pace.choose(document.rigid, dragging, self.worker.binding)
         # Again if a bind arrives meanwhile: what was wished for was for the one before.
         while (wish := self._wish(document)) is not None:

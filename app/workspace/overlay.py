@@ -11,7 +11,7 @@ from solver.types import FloatArray
 
 Color = tuple[int, int, int]  # RGB, 0 to 255
 
-PAINTING, ERASING = (255, 255, 255), (255, 90, 70)
+PAINTING, ERASING, HOVERED = (255, 255, 255), (255, 90, 70), (255, 255, 255)
 
 
 @dataclass(frozen=True, eq=False)

@@ -52,9 +52,7 @@ class Picker:
 
     def pick(self, ray: Ray, positions: FloatArray) -> Hit | None:
         """The first point of the surface that the ray meets, None when it passes by."""
-        if positions is not self._positions:
-            self._centres, self._radii = _spheres(positions, self._faces, self._blocks)
-            self._positions = positions
+        self._follow(positions)
         near = self._blocks[_met(ray, self._centres, self._radii)].ravel()
         found = _first(ray, positions, self._faces[near])
         if found is None:
@@ -65,6 +63,17 @@ class Picker:
         away = ((positions[corners] - position) ** 2).sum(axis=1)
         vertex = int(corners[np.argmin(away)])
         return Hit(int(near[number]), barycentric, position, vertex, distance)
+
+    def near(self, ray: Ray, angle: float, positions: FloatArray) -> bool:
+        """Whether the surface may be within an angle of a ray, in radians: no, or perhaps."""
+        self._follow(positions)
+        away = np.linalg.norm(self._centres - ray.origin[:, None], axis=0)
+        return len(_met(ray, self._centres, self._radii + angle * (away + self._radii))) > 0
+
+    def _follow(self, positions: FloatArray) -> None:
+        if positions is not self._positions:
+            self._centres, self._radii = _spheres(positions, self._faces, self._blocks)
+            self._positions = positions
 
 
 def _spheres(X: FloatArray, faces: IntArray, blocks: IntArray) -> tuple[FloatArray, FloatArray]:

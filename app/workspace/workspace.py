@@ -24,6 +24,7 @@ from app.workspace.latest import Latest
 from app.workspace.live_surface import LiveSurface
 from app.workspace.parts import Parts
 from app.workspace.picking import Hit, Picker
+from app.workspace.regions import Regions
 from solver.mesh.progress import Progress
 from solver.types import FloatArray
 
@@ -56,10 +57,11 @@ class Workspace:
     """One open document with its history and its surface on screen, and what a person chose.
 
     tool: a name in tools.TOOLS.  map: a name in color_maps.MAPS.  turn: dragged handles turn by
-    themselves.  message: the last one, None before the first.  export_path: where Export goes
-    by default.  session_path: the session file last opened or saved.  interaction: the stroke or
-    drag in progress.  progress: what is told how far reading and saving are.  viewpoint: where
-    the person looks from.  last_input: of the frame before.
+    themselves.  keep: what was grabbed stays where it was taken.  message: the last one, None
+    before the first.  export_path: where Export goes by default.  session_path: the session file
+    last opened or saved.  interaction: the stroke or drag in progress.  progress: what is told how
+    far reading and saving are.  viewpoint: where the person looks from.  last_input: of the frame
+    before.
     """
 
     def __init__(
@@ -74,6 +76,7 @@ class Workspace:
         self.tool = "navigate"
         self.brush = Brush()
         self.turn = True
+        self.keep = False
         self.map = "roles"
         self.message: Message | None = None
         self.progress: Progress | None = None
@@ -92,7 +95,8 @@ class Workspace:
         self.neighbours = Neighbours(mesh.vertices, mesh.faces)
         self.heat = Heat(mesh)
         self.parts = Parts(mesh)
-        self._picker = Picker(mesh.vertices, mesh.faces)
+        self.regions = Regions()
+        self.picker = Picker(mesh.vertices, mesh.faces)
         self._under: Latest[Hit | None] = Latest()
         self.last_input: Input | None = None
         self._active = document.handles[0].key if document.handles else None
@@ -148,12 +152,12 @@ class Workspace:
 
     def pick(self, ray: Ray) -> Hit | None:
         """The first point of the surface on screen that the ray meets."""
-        return self._picker.pick(ray, self.positions)
+        return self.picker.pick(ray, self.positions)
 
     def show_part(self, number: int, on: bool) -> None:
         """Show a part again, or hide it."""
         self.parts.show(number, on)
-        self._picker = Picker(self.document.mesh.vertices, self.parts.faces)
+        self.picker = Picker(self.document.mesh.vertices, self.parts.faces)
         self._under = Latest()
 
     @property

@@ -39,6 +39,10 @@ def set_brush(work: Workspace, command: c.SetBrush) -> None:
     work.brush = replace(work.brush, **changes)
 
 
+def set_keep(work: Workspace, command: c.SetKeep) -> None:
+    work.keep = command.on
+
+
 def set_turn(work: Workspace, command: c.SetTurn) -> None:
     work.turn = command.on
 
@@ -52,5 +56,6 @@ CHOICE_ACTIONS: Actions = {
     c.SetTool: set_tool,
     c.SetBrush: set_brush,
     c.SetTurn: set_turn,
+    c.SetKeep: set_keep,
     c.SetMap: set_map,
 }

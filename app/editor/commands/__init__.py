@@ -1,6 +1,6 @@
 """What a person can ask for, as data; the actions do it. A file for each subject, as there."""
 
-from app.editor.commands.choices import SetBrush, SetMap, SetTool, SetTurn
+from app.editor.commands.choices import SetBrush, SetKeep, SetMap, SetTool, SetTurn
 from app.editor.commands.command import Command, CommandError
 from app.editor.commands.files import Export, OpenMesh, OpenSession, SaveSession
 from app.editor.commands.history import CancelGesture, Redo, Undo
@@ -40,6 +40,7 @@ __all__ = [
     "SaveSession",
     "SetBrush",
     "SetFollows",
+    "SetKeep",
     "SetMap",
     "SetMaterial",
     "SetSetting",

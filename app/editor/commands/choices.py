@@ -38,6 +38,14 @@ class SetTurn(Command):
 
 
 @dataclass(frozen=True)
+class SetKeep(Command):
+    """Whether what is grabbed stays where it was taken, as a pin, or is let go of."""
+
+    interrupts: ClassVar[bool] = False
+    on: bool
+
+
+@dataclass(frozen=True)
 class SetMap(Command):
     """Show one of color_maps.MAPS."""
 

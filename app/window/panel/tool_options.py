@@ -64,8 +64,17 @@ def whole_softness(editor: Editor, asked: list[c.Command]) -> None:
 def turns_by_itself(editor: Editor, asked: list[c.Command]) -> None:
     """Whether a dragged handle takes its best rotation."""
     changed, turn = psim.Checkbox("turns by itself", editor.turn)
+    psim.SetItemTooltip("A dragged handle takes the rotation of least energy")
     if changed:
         asked.append(c.SetTurn(turn))
+
+
+def keep(editor: Editor, asked: list[c.Command]) -> None:
+    """Whether a grab of the bare surface leaves a pin."""
+    changed, on = psim.Checkbox("keep what is grabbed", editor.keep)
+    psim.SetItemTooltip("A grab of the bare surface leaves a pin instead of letting go")
+    if changed:
+        asked.append(c.SetKeep(on))
 
 
 OPTIONS: dict[str, Callable[[Editor, list[c.Command]], None]] = {
@@ -74,4 +83,5 @@ OPTIONS: dict[str, Callable[[Editor, list[c.Command]], None]] = {
     "softness brush": softness_brush,
     "whole softness": whole_softness,
     "turns by itself": turns_by_itself,
+    "keep": keep,
 }

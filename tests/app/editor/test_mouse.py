@@ -9,7 +9,6 @@ import pytest
 
 from app.editor import commands as c
 from app.tools.table import TOOLS
-from app.tools.tool import brush_cursor
 from app.workspace.overlay import NOTHING
 from tests.app.person import Person, state
 
@@ -41,12 +40,25 @@ def test_a_press_beside_the_mesh_is_left_to_the_camera(ready: Person, tool: str)
     assert state(ready.editor.document) == before
 
 
-def test_navigating_and_dragging_what_is_no_handle_are_left_to_the_camera(ready: Person) -> None:
-    for tool, start in (("navigate", [19, 2, 0]), ("drag", [10, 2, 0]), ("drag", [0, 2, 0])):
+def test_a_press_on_the_surface_moves_the_camera_with_navigate_alone(ready: Person) -> None:
+    for tool in TOOLS:
         ready.use(tool)
-        for _ in ready.hold([start, [12, 3, 0]]):
-            assert not ready.editor.captures
-        ready.frame(start, "r")
+        before = ready.editor.viewpoint.camera.forward
+        for _ in ready.hold([[19, 2, 0], [12, 3, 0]]):
+            assert ready.editor.captures == (tool != "navigate")
+        moved = ready.editor.viewpoint.camera.forward @ before < 1 - 1e-9
+        assert moved == (tool == "navigate")
+        ready.frame([12, 3, 0], "r")
+
+
+def test_dragging_what_is_fixed_says_why_nothing_moves(ready: Person) -> None:
+    before = state(ready.editor.document)
+    for _ in ready.hold([[0, 2, 0], [3, 3, 0]]):
+        assert ready.editor.captures
+    ready.frame([3, 3, 0], "r")
+    assert state(ready.editor.document) == before
+    assert ready.editor.message is not None
+    assert "fixed" in ready.editor.message.text
 
 
 def test_a_quick_click_paints(bar: Person) -> None:
@@ -96,11 +108,11 @@ def test_cancel_restores_what_was_before(ready: Person) -> None:
     np.testing.assert_array_equal(ready.editor.positions, ready.editor.document.mesh.vertices)
 
 
-def test_the_brush_hovers_over_the_surface_with_painting_tools_only(ready: Person) -> None:
+def test_what_a_press_would_do_hovers_over_the_surface(ready: Person) -> None:
     for tool in TOOLS:
         ready.use(tool)
         ready.frame([10, 2, 0])
-        assert (ready.editor.cursor is not NOTHING) == (TOOLS[tool].cursor is brush_cursor)
+        assert (ready.editor.cursor is not NOTHING) == (tool != "navigate")
     ready.use("fixed")
     ready.frame(OFF_THE_MESH)
     assert ready.editor.cursor is NOTHING

@@ -48,12 +48,17 @@ def test_a_fast_stroke_picks_once_for_each_dab(bar: Person, queries: list[Ray]) 
     assert len({ray.direction.tobytes() for ray in queries}) == len(queries)
 
 
-@pytest.mark.parametrize("tool", ["navigate", "drag"])
-def test_without_a_brush_nothing_is_picked_until_a_press(
-    ready: Person, queries: list[Ray], tool: str
-) -> None:
-    ready.use(tool)
-    ready.frame([19, 2, 0])
-    assert not queries
+def test_while_navigating_nothing_is_picked(ready: Person, queries: list[Ray]) -> None:
+    ready.use("navigate")
     for _ in ready.hold([[19, 2, 0], [18, 4, 0], [16, 8, 0]]):
-        assert len(queries) == (tool == "drag")
+        assert not queries
+
+
+def test_a_drag_picks_nothing_after_its_press(ready: Person, queries: list[Ray]) -> None:
+    ready.frame([19, 2, 0])
+    assert len(queries) == 1, "the handle under the cursor lights up"
+    ready.frame([19, 2, 0], "pd")
+    queries.clear()
+    for point in ([18, 4, 0], [16, 8, 0]):
+        ready.frame(point, "d")
+        assert not queries

@@ -9,6 +9,7 @@ import pytest
 
 from app.editor import commands as c
 from app.model.document import Document
+from app.tools.table import TOOLS
 from app.worker.requests import BindRequest
 from app.workspace.live_surface import BindError
 from solver import Mesh
@@ -18,6 +19,8 @@ from tests.app.person import IdleWorker, Person, error_of, sheet, slab
 def test_the_hint_names_what_is_missing(bar: Person) -> None:
     editor = bar.editor
     assert "Paint a handle" in editor.hint
+    bar.use("drag")
+    assert editor.hint == TOOLS["drag"].hint
     bar.use("handle", 1.6)
     bar.stroke([20, 0, 0], [20, 4, 0])
     editor.settle()
@@ -27,7 +30,7 @@ def test_the_hint_names_what_is_missing(bar: Person) -> None:
     bar.stroke([0, 0, 0])
     editor.settle()
     bar.use("drag")
-    assert editor.hint == "Press on a handle and drag"
+    assert editor.hint == TOOLS["drag"].hint
 
 
 def test_the_hint_says_that_a_bind_is_running() -> None:

@@ -67,10 +67,10 @@ def test_after_a_failure_that_let_go_of_the_last_bind_it_is_bound_once_more(
 
 def test_any_other_error_arrives_as_one_of_the_worker(capfd: pytest.CaptureFixture[str]) -> None:
     request = bind_request(document())
-    object.__setattr__(request, "keys", None)
+    object.__setattr__(request, "setup", None)
     answer = SolverService().answer(request)
     assert isinstance(answer.value, WorkerError)
-    assert "TypeError" in str(answer.value)
+    assert "AttributeError" in str(answer.value)
     assert "Traceback" in capfd.readouterr().err
 
 

@@ -1,0 +1,61 @@
+"""What a press with the drag tool takes: a handle, bare surface, or nothing, and then why."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from app.model.handles import FIXED
+from app.tools.drag import Drag
+from app.tools.grab import Grab
+from app.tools.tool import brush_cursor
+from app.viewpoint.events import Input
+from app.workspace.nearby import near_handle
+from app.workspace.overlay import HOVERED, NOTHING, Outline, Overlay
+from app.workspace.workspace import Interaction, Workspace
+
+NEAR_HANDLE = 10.0  # pixels beside a handle that still count
+
+
+class Refused:
+    """Holds the mouse until it is released, so that a press that does nothing moves nothing."""
+
+    drags: ClassVar[bool] = False
+
+    def move(self, frame: Input) -> None:
+        """Nothing moves."""
+
+    def finish(self) -> None:
+        """Nothing is left to do."""
+
+    def cancel(self) -> None:
+        """Nothing has been done."""
+
+
+def begin_drag(work: Workspace, press: Input) -> Interaction | None:
+    """A drag of the handle at the cursor, which becomes the active one, else a soft grab."""
+    near = near_handle(work, press, NEAR_HANDLE)
+    if near is not None:
+        key, point = near
+        work.activate(key)
+        return Drag(work, press, key, point)
+    hit = work.under(press)
+    if hit is None:
+        return None
+    if work.document.role[hit.vertex] == FIXED:
+        work.say("This is fixed and stays where it is: grab beside it, or free it (2, with Shift)")
+        return Refused()
+    return Grab(work, press, hit)
+
+
+def drag_cursor(work: Workspace, frame: Input) -> Overlay:
+    """The outline of the handle that a press would take, or the rim of what it would grab."""
+    if work.interaction is not None:
+        return NOTHING
+    near = near_handle(work, frame, NEAR_HANDLE)
+    if near is not None:
+        border = work.regions.borders(work.document).of(near[0])
+        return Overlay((Outline(work.positions[border], HOVERED),))
+    hit = work.under(frame)
+    if hit is None or work.document.role[hit.vertex] == FIXED:
+        return NOTHING
+    return brush_cursor(work, frame)

@@ -1,0 +1,52 @@
+"""The borders of what is held: fixed vertices and handles."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.model.document import Document
+from app.model.handles import FIXED
+from app.workspace.latest import Latest
+from solver.types import IntArray
+
+
+@dataclass(frozen=True, eq=False)
+class Borders:
+    """edges: (k, 2) vertices of the mesh.  role: (k,) FIXED or the handle's key of each."""
+
+    edges: IntArray
+    role: IntArray
+
+    def of(self, key: int) -> IntArray:
+        """(j, 2) the border of one handle."""
+        return self.edges[self.role == key]
+
+
+class Regions:
+    """Finds the borders anew when roles have changed.
+
+    An edge is a border where both ends are held alike and the third corner of a triangle is not.
+    """
+
+    def __init__(self) -> None:
+        self._borders: Latest[Borders] = Latest()
+
+    def borders(self, document: Document) -> Borders:
+        """Those of all regions; the same object as long as nothing has changed."""
+        return self._borders(document.revision["role"], lambda: _borders(document))
+
+
+def _borders(document: Document) -> Borders:
+    faces = document.mesh.faces
+    role = document.role[faces]
+    mixed = (role[:, 0] != role[:, 1]) | (role[:, 1] != role[:, 2])
+    faces, role = faces[mixed], role[mixed]
+    edges, roles = [], []
+    for corner in range(3):
+        a, b = (corner + 1) % 3, (corner + 2) % 3
+        held = (role[:, a] == role[:, b]) & (role[:, a] >= FIXED) & (role[:, corner] != role[:, a])
+        edges.append(faces[held][:, [a, b]])
+        roles.append(role[held, a])
+    return Borders(np.concatenate(edges), np.concatenate(roles))
