@@ -15,7 +15,8 @@ from app.viewpoint.viewpoint import Motion
 from app.workspace.color_maps import MAPS
 from app.workspace.latest import Latest
 from app.workspace.overlay import NOTHING, Overlay
-from app.workspace.scene import Dots, Scene, dot_radius
+from app.workspace.regions import Borders, border_lines
+from app.workspace.scene import Dots, Lines, Scene, dot_radius
 from app.workspace.workspace import Workspace
 from solver.errors import SolverError
 from solver.types import FloatArray
@@ -40,6 +41,8 @@ class Editor(Workspace):
         self.cursor: Overlay = NOTHING
         self._colors: Latest[FloatArray] = Latest()
         self._dots: Latest[Dots | None] = Latest()
+        self._borders: Borders | None = None
+        self._lines: Latest[Lines | None] = Latest()
         self._dot_radius = dot_radius(document.mesh.vertices, self.neighbours.edges)
         self._warnings: Latest[tuple[str, ...]] = Latest()
         self._left: Motion | None = None  # what the button that is down does to the camera
@@ -106,7 +109,8 @@ class Editor(Workspace):
             version = revision, self.positions_version, self.parts.hidden
             dots = self._dots(version, self._pinned)
         mesh, polygons = self.document.mesh, self.parts.polygons
-        return Scene(mesh, polygons, self.positions, self.colors, dots, edges, self.cursor)
+        shown = self.positions, self.colors, dots, edges, self._border_lines(), self.cursor
+        return Scene(mesh, polygons, *shown)
 
     @property
     def colors(self) -> FloatArray:
@@ -160,6 +164,16 @@ class Editor(Workspace):
             piece = self.document.mesh.pieces[self.document.vertices_of(active.key)[0]]
             hint += f"; nothing holds {self.parts.name(int(piece))}, so it moves as a whole"
         return hint
+
+    def _border_lines(self) -> Lines | None:
+        """The borders of what is held; those before while a stroke is changing them."""
+        if self.interaction is None or self._borders is None:
+            self._borders = self.regions.borders(self.document)
+        borders, active = self._borders, self.active
+        key = active.key if active else None
+        radius = self.viewpoint.line_radius
+        version = borders, self.positions_version, key, radius
+        return self._lines(version, lambda: border_lines(borders, self.positions, key, radius))
 
     def _pinned(self) -> Dots | None:
         """A dot on every pinned vertex."""

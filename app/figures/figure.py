@@ -9,7 +9,7 @@ import numpy as np
 
 from app.figures.arm import Arm
 from app.figures.measures import Numbers
-from app.workspace.color_maps import ACTIVE_COLOR, FIXED_COLOR, FREE_COLOR, viridis
+from app.workspace.color_maps import FIXED_COLOR, FREE_COLOR, HANDLE_COLORS, viridis
 from solver.types import BoolArray, FloatArray
 
 CameraName = Literal["figure", "arm", "elbow"]
@@ -50,7 +50,7 @@ def regions(arm: Arm, handle: bool = True) -> FloatArray:
     colors = plain(arm)
     colors[arm.fixed] = FIXED_COLOR
     if handle:
-        colors[arm.hand] = ACTIVE_COLOR
+        colors[arm.hand] = HANDLE_COLORS[0]
     return colors
 
 

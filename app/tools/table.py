@@ -34,6 +34,6 @@ TOOLS = {
         options=("turns by itself", "keep"),
         map="roles",
         keeps_heat=True,
-        hint="Drag a handle, or the bare surface; a click pins it",
+        hint="Drag a handle or the surface, click to pin",
     ),
 }

@@ -16,6 +16,8 @@ from solver.types import FloatArray
 Motion = Literal["orbit", "pan"]
 # How close the camera may come to what it goes towards, in diagonals of the mesh.
 NEAREST = 1e-2
+# Half the width of lines on the surface, in pixels, and the steps in which it follows the distance.
+LINE, COARSER = 1.1, 1.2
 UPS: dict[str, FloatArray] = {"y": np.array([0.0, 1.0, 0.0]), "z": np.array([0.0, 0.0, 1.0])}
 # What the camera looks along, in terms of right, up and towards the viewer of a front view.
 SIDES = {
@@ -99,6 +101,12 @@ class Viewpoint:
     def reach(self) -> float:
         """About how far away the farthest part of the surface is."""
         return float(np.linalg.norm(self.camera.position - self._middle)) + self._size
+
+    @property
+    def line_radius(self) -> float:
+        """About a pixel at the pivot, in world units: the same as long as little changes."""
+        pixel = self.camera.pixel_angle * float(np.linalg.norm(self.camera.position - self.pivot))
+        return LINE * COARSER ** round(np.log(max(pixel, 1e-300)) / np.log(COARSER))
 
     def advance(
         self, frame: Input, left: Motion | None, under: Callable[[], FloatArray | None]

@@ -10,9 +10,9 @@ import numpy as np
 import polyscope as ps
 
 from app.viewpoint.camera import Camera
-from app.workspace.scene import Dots, Scene
+from app.workspace.scene import Dots, Lines, Scene
 
-SURFACE, COLORS, DOTS = "surface", "colors", "dots"
+SURFACE, COLORS, DOTS, LINES = "surface", "colors", "dots", "lines"
 EDGE_WIDTH, EDGE_COLOR = 0.6, (0.15, 0.15, 0.2)
 DOT_COLOR = (0.96, 0.96, 0.98)
 
@@ -35,6 +35,8 @@ class View:
             self._mesh.get_quantity_buffer(COLORS, "colors").update_data(scene.colors)
         if scene.dots is not before.dots:
             _place(scene.dots)
+        if scene.lines is not before.lines:
+            _thread(scene.lines, before.lines)
         if scene.edges != before.edges:  # setting it to what it is draws the whole scene again
             self._mesh.set_edge_width(EDGE_WIDTH if scene.edges else 0.0)
         self._shown = scene
@@ -48,6 +50,7 @@ class View:
         self._mesh.set_edge_color(EDGE_COLOR)
         self._mesh.add_color_quantity(COLORS, scene.colors, enabled=True)
         _place(scene.dots)
+        _thread(scene.lines, None)
         return replace(scene, edges=False)
 
     def look(self, camera: Camera, reach: float | None = None) -> None:
@@ -74,3 +77,20 @@ def _place(dots: Dots | None) -> None:
     if dots is not None:
         cloud = ps.register_point_cloud(DOTS, dots.centres, color=DOT_COLOR, material="flat")
         cloud.set_radius(dots.radius, relative=False)
+
+
+def _thread(lines: Lines | None, before: Lines | None) -> None:
+    """These lines in place of those before."""
+    if lines is None:
+        ps.remove_curve_network(LINES, error_if_absent=False)
+        return
+    if before is not None and np.array_equal(lines.edges, before.edges):
+        network = ps.get_curve_network(LINES)
+        network.update_node_positions(lines.nodes)
+    else:
+        network = ps.register_curve_network(LINES, lines.nodes, lines.edges, material="flat")
+        before = None
+    if before is None or not np.array_equal(lines.colors, before.colors):
+        network.add_color_quantity(COLORS, lines.colors, defined_on="edges", enabled=True)
+    if before is None or lines.radius != before.radius:
+        network.set_radius(lines.radius, relative=False)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.model.handles import FIXED, FREE
+from app.model.handles import FIRST_HANDLE
 from app.workspace.workspace import Workspace
 from solver.types import FloatArray
 
@@ -62,19 +62,34 @@ def _blend(values: ArrayLike, stops: FloatArray) -> FloatArray:
     return np.column_stack([np.interp(s, at, channel) for channel in stops.T])
 
 
-# Free, fixed, the active handle, the other handles.
-FREE_COLOR, FIXED_COLOR, ACTIVE_COLOR, OTHER_COLOR = viridis([0.5, 0.0, 1.0, 0.86])
+FREE_COLOR, FIXED_COLOR = viridis([0.5, 0.0])
 SOFT_COLOR = viridis([0.75])[0]
+# Handles in turn: all brighter than what is free or fixed, so that no hue alone tells them apart.
+HANDLE_COLORS = np.array(
+    [
+        (0.993, 0.906, 0.144),
+        (0.95, 0.57, 0.25),
+        (0.94, 0.62, 0.78),
+        (0.58, 0.82, 0.97),
+        (0.69, 0.88, 0.35),
+        (0.86, 0.42, 0.40),
+        (0.76, 0.68, 0.94),
+        (0.88, 0.80, 0.64),
+    ]
+)
+
+
+def handle_color(key: int) -> FloatArray:
+    """(3,) of a handle, as long as the mesh is open."""
+    return np.asarray(HANDLE_COLORS[(key - FIRST_HANDLE) % len(HANDLE_COLORS)])
 
 
 def role_colors(work: Workspace) -> FloatArray:
-    """Fixed dark purple, free teal, the active handle yellow, the others a greener yellow."""
-    document, active = work.document, work.active
-    palette = np.tile(OTHER_COLOR, (max(int(document.role.max()), FIXED) + 1, 1))
-    palette[[FREE, FIXED]] = FREE_COLOR, FIXED_COLOR
-    if active is not None and active.key < len(palette):
-        palette[active.key] = ACTIVE_COLOR
-    return np.asarray(palette[document.role])
+    """Fixed dark purple, free teal, each handle a bright colour of its own."""
+    role = work.document.role
+    keys = range(FIRST_HANDLE, int(role.max()) + 1)
+    palette = np.vstack([FREE_COLOR, FIXED_COLOR, *(handle_color(key) for key in keys)])
+    return np.asarray(palette[role])
 
 
 def softness_colors(work: Workspace) -> FloatArray:

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from app.model.document import Document
 from app.model.handles import FIXED
 from app.workspace.latest import Latest
-from solver.types import IntArray
+from app.workspace.scene import Lines
+from solver.types import BoolArray, FloatArray, IntArray
+
+ACTIVE, DARK = (1.0, 1.0, 1.0), (0.1, 0.1, 0.13)
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,6 +26,21 @@ class Borders:
     def of(self, key: int) -> IntArray:
         """(j, 2) the border of one handle."""
         return self.edges[self.role == key]
+
+    @cached_property
+    def drawn(self) -> BoolArray:
+        """(k,) all but every other edge of what is fixed, whose border is a broken line."""
+        return (self.role != FIXED) | (self.edges.sum(axis=1) % 2 == 0)
+
+    @cached_property
+    def nodes(self) -> IntArray:
+        """(j,) the vertices of what is drawn, ascending."""
+        return np.unique(self.edges[self.drawn])
+
+    @cached_property
+    def ends(self) -> IntArray:
+        """The drawn edges as places in `nodes`, two each."""
+        return np.searchsorted(self.nodes, self.edges[self.drawn])
 
 
 class Regions:
@@ -50,3 +69,15 @@ def _borders(document: Document) -> Borders:
         edges.append(faces[held][:, [a, b]])
         roles.append(role[held, a])
     return Borders(np.concatenate(edges), np.concatenate(roles))
+
+
+def border_lines(
+    borders: Borders, positions: FloatArray, active: int | None, radius: float
+) -> Lines | None:
+    """The borders as drawn: of the active handle white, of other handles dark, of what is fixed
+    dark and broken, so that no colour is needed to tell them apart."""
+    if not len(borders.nodes):
+        return None
+    white = borders.role[borders.drawn] == active
+    colors = np.where(white[:, None], ACTIVE, DARK)
+    return Lines(positions[borders.nodes], borders.ends, colors, radius)

@@ -25,6 +25,19 @@ class Dots:
 
 
 @dataclass(frozen=True, eq=False)
+class Lines:
+    """Thin tubes on the surface. nodes: (k, 3). edges: (e, 2). colors: (e, 3) RGB in [0, 1].
+
+    radius: in world units.
+    """
+
+    nodes: FloatArray
+    edges: IntArray
+    colors: FloatArray
+    radius: float
+
+
+@dataclass(frozen=True, eq=False)
 class Scene:
     """What the view shows at one moment.
 
@@ -34,7 +47,7 @@ class Scene:
     mesh: another one is another surface, seen afresh.  polygons: those of it that are drawn.
     positions: (n, 3) of its vertices.  colors: (n, 3) RGB in [0, 1] of its vertices.
     dots: what is pinned.  edges: whether the edges of the polygons are drawn.
-    overlay: what is drawn over it.
+    lines: the borders of what is held.  overlay: what is drawn over it.
     """
 
     mesh: Mesh
@@ -43,6 +56,7 @@ class Scene:
     colors: FloatArray
     dots: Dots | None = None
     edges: bool = False
+    lines: Lines | None = None
     overlay: Overlay = NOTHING
 
 

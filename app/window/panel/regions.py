@@ -7,7 +7,7 @@ import polyscope.imgui as psim
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.window.panel.widgets import BUTTON_COLUMN, REST_OF_LINE, disabled, swatch
-from app.workspace.color_maps import ACTIVE_COLOR, FIXED_COLOR, OTHER_COLOR, SOFT_COLOR
+from app.workspace.color_maps import FIXED_COLOR, SOFT_COLOR, handle_color
 from solver.types import FloatArray
 
 
@@ -21,7 +21,7 @@ def regions(editor: Editor, asked: list[c.Command]) -> None:
     for handle in document.handles:
         psim.PushID(str(handle.key))
         active = editor.active is not None and handle.key == editor.active.key
-        swatch(ACTIVE_COLOR if active else OTHER_COLOR)
+        swatch(handle_color(handle.key))
         if psim.RadioButton("##active", active):
             asked.append(c.ActivateHandle(handle.key))
         psim.SetItemTooltip("Paint and drag this handle")

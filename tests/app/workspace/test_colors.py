@@ -4,7 +4,7 @@ import numpy as np
 
 from app.editor import commands as c
 from app.model.handles import FIRST_HANDLE, FIXED, FREE
-from app.workspace.color_maps import viridis
+from app.workspace.color_maps import FIXED_COLOR, FREE_COLOR, HANDLE_COLORS, viridis
 from tests.app.person import Person
 
 
@@ -15,7 +15,7 @@ def test_viridis_runs_from_dark_purple_through_teal_to_yellow() -> None:
     assert (np.diff(lightness) > 0).all()
 
 
-def test_each_role_has_its_colour_and_the_active_handle_its_own(ready: Person) -> None:
+def test_each_role_has_its_colour_and_keeps_it(ready: Person) -> None:
     ready.do(c.AddHandle("other"))
     ready.use("handle", 1)
     ready.stroke([10, 2, 0])
@@ -23,11 +23,16 @@ def test_each_role_has_its_colour_and_the_active_handle_its_own(ready: Person) -
     seen = [np.unique(colors[role == r], axis=0) for r in (FREE, FIXED, FIRST_HANDLE, 3)]
     assert [len(rows) for rows in seen] == [1, 1, 1, 1]
     assert len({rows.tobytes() for rows in seen}) == 4
-    np.testing.assert_allclose(seen[3][0], [0.993, 0.906, 0.144])  # the active one
-    version = ready.editor.colors_version
+    np.testing.assert_allclose(seen[2][0], [0.993, 0.906, 0.144])
     ready.do(c.ActivateHandle(ready.editor.document.handles[0].key))
-    assert ready.editor.colors_version != version
-    np.testing.assert_allclose(ready.editor.colors[role == FIRST_HANDLE][0], seen[3][0])
+    np.testing.assert_array_equal(ready.editor.colors, colors)
+
+
+def test_handles_are_told_from_what_is_held_by_their_lightness_too() -> None:
+    weights = [0.2126, 0.7152, 0.0722]
+    dark = max(color @ weights for color in (FREE_COLOR, FIXED_COLOR))
+    assert (HANDLE_COLORS @ weights).min() > dark + 0.03
+    assert len(np.unique(HANDLE_COLORS, axis=0)) == len(HANDLE_COLORS)
 
 
 def test_the_softness_map_shows_softness(bar: Person) -> None:
