@@ -71,7 +71,8 @@ def turns_by_itself(editor: Editor, asked: list[c.Command]) -> None:
 
 def keep(editor: Editor, asked: list[c.Command]) -> None:
     """Whether a grab of the bare surface leaves a pin."""
-    changed, on = psim.Checkbox("keep what is grabbed", editor.keep)
+    psim.SameLine()
+    changed, on = psim.Checkbox("keep grabs", editor.keep)
     psim.SetItemTooltip("A grab of the bare surface leaves a pin instead of letting go")
     if changed:
         asked.append(c.SetKeep(on))
