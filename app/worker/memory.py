@@ -6,10 +6,10 @@ from pathlib import Path
 
 from solver.errors import SolverError
 
-# Peaks of whole processes: 9.2 GB for 960 thousand vertices solved exactly, growing a little faster
-# than linearly; 2.5 GB for 625 thousand with coarse frames. [docs/scaling.md]
-EXACT_BYTES, EXACT_VERTICES, GROWTH = 9.2e9, 960_000, 1.15
-COARSE_BYTES = 4_000  # a vertex
+# Peaks with rounds at level 4: 14 GB for a million vertices solved exactly, growing a little faster
+# than linearly; 2.9 GB with coarse frames. [docs/scaling.md]
+EXACT_BYTES, EXACT_VERTICES, GROWTH = 14.0e9, 1_000_000, 1.05
+COARSE_BYTES = 3_200  # a vertex
 ALWAYS = 50_000  # vertices: as many are solved wherever the program runs at all
 
 

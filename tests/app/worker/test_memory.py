@@ -26,9 +26,9 @@ def test_coarse_frames_take_less_and_more_vertices_take_more() -> None:
 
 def test_a_bind_that_does_not_fit_is_refused_in_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(memory, "free_bytes", lambda: 4e9)
-    with pytest.raises(OutOfMemory, match=r"^binding 960,000 .* 9\.2 GB .* 4\.0 GB .*coarse"):
-        check_memory(960_000, None)
-    check_memory(960_000, 5000)
+    with pytest.raises(OutOfMemory, match=r"^binding 1,000,000 .* 14\.0 GB .* 4\.0 GB .*coarse"):
+        check_memory(1_000_000, None)
+    check_memory(1_000_000, 5000)
     with pytest.raises(OutOfMemory, match=r"close other programs$"):
         check_memory(2_000_000, 5000)
 
