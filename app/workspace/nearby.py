@@ -27,7 +27,8 @@ def near_handle(work: Workspace, frame: Input, reach: float) -> tuple[int, Float
     document, hit = work.document, work.under(frame)
     if hit is not None and document.role[hit.vertex] >= FIRST_HANDLE:
         return int(document.role[hit.vertex]), hit.position
-    vertices = np.flatnonzero((document.role >= FIRST_HANDLE) & work.parts.visible)
+    vertices = work.regions.handle_vertices(document)
+    vertices = vertices[work.parts.visible[vertices]]
     away = frame.camera.project(work.positions[vertices]) - frame.pixel
     distance = np.hypot(*away.T)
     if not (distance <= reach).any():

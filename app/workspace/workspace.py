@@ -100,6 +100,7 @@ class Workspace:
         self._under: Latest[Hit | None] = Latest()
         self.last_input: Input | None = None
         self._active = document.handles[0].key if document.handles else None
+        self._diagonal = document.diagonal  # found now, not at the first stroke
         self.viewpoint.show(mesh.vertices[mesh.pieces >= 0])
 
     def say(self, text: str, kind: Literal["info", "error"] = "info") -> None:
@@ -168,7 +169,7 @@ class Workspace:
     @property
     def brush_radius(self) -> float:
         """In world units."""
-        return self.brush.radius * self.document.diagonal
+        return self.brush.radius * self._diagonal
 
     @property
     def active(self) -> Handle | None:
