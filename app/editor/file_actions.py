@@ -9,6 +9,7 @@ from app.editor import commands as c
 from app.editor.action import Actions
 from app.model.document import Document
 from app.model.session import read_session, to_document, write_session
+from app.model.settings import affordable_level
 from app.workspace.workspace import Workspace
 from solver import load_mesh
 from solver.mesh.progress import Progress
@@ -33,7 +34,9 @@ def load_document(
     """
     if session is None:
         assert mesh is not None
-        return Document(load_mesh(mesh, progress), mesh)
+        document = Document(load_mesh(mesh, progress), mesh)
+        document.change("rigid", affordable_level(len(document.role)))
+        return document
     described = read_session(session)
     path = mesh or described.mesh_path
     return to_document(described, load_mesh(path, progress), path)

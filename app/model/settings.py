@@ -44,6 +44,18 @@ def is_attach(value: Any) -> bool:
 LARGE, COARSE = 20_000, 5_000
 
 
+# What the levels of `rigid` are called. The best shape is all but settled. [docs/quality.md]
+LEVELS = {"linear": 0, "keeps lengths": 1, "best shape": 4}
+# Up to so many vertices, and with coarse frames, the best shape keeps up with the mouse.
+QUICK = 10_000
+
+
+def affordable_level(vertex_count: int) -> int:
+    """The level of a new document: the best shape where a frame can afford it."""
+    quick = vertex_count <= QUICK or vertex_count > LARGE
+    return LEVELS["best shape" if quick else "keeps lengths"]
+
+
 def is_coarse(value: Any) -> bool:
     """True for what the size of the mesh suggests, False for exact, or a number of vertices."""
     return isinstance(value, bool) or (type(value) is int and value > 0)

@@ -6,7 +6,7 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.model.settings import LARGE
+from app.model.settings import LARGE, LEVELS
 from app.window.panel.widgets import (
     BUSY_COLOR,
     BUTTON_COLUMN,
@@ -20,6 +20,11 @@ from solver.softness.material import PRESETS, Material, resolve_material
 SMALLEST_GAIN, LARGEST_GAIN = 0.01, 10.0
 SHORTEST_BEND, LONGEST_BEND = 1e-3, 0.3
 HIGHEST_RIGID = 10
+SHAPE_TIP = (
+    "linear: quickest, shrinks in large turns\n"
+    "keeps lengths: one step of rotations, good for moderate bends\n"
+    "best shape: rounds until it has settled"
+)
 
 
 def softness_warnings(editor: Editor, asked: list[c.Command]) -> None:
@@ -43,10 +48,11 @@ def soft_parts(editor: Editor, asked: list[c.Command]) -> None:
     material = document.material
     chosen = names.index("custom" if isinstance(material, Material) else material)
     changed, index = psim.Combo("material", chosen, names)
+    psim.SetItemTooltip("What fully soft parts are like; rigid ones are the same in all")
     gains = resolve_material(material)
     if changed:
         asked.append(c.SetMaterial(gains if names[index] == "custom" else names[index]))
-    if not psim.TreeNode("gains, bending length, orientation"):
+    if not psim.TreeNode("gains, bending length, rounds"):
         return
     for label in halves("bending", "stretching"):
         moved, gain = logarithmic(
@@ -59,7 +65,12 @@ def soft_parts(editor: Editor, asked: list[c.Command]) -> None:
     psim.SetItemTooltip("How far a bend spreads, in diagonals of the mesh")
     if moved:
         asked.append(c.SetSetting("bending_length", length))
+    moved, rigid = psim.SliderInt("rounds", document.rigid, 0, HIGHEST_RIGID)
+    psim.SetItemTooltip("0 is linear, 1 keeps lengths, 4 is the best shape; more change little")
+    if moved:
+        asked.append(c.SetSetting("rigid", rigid))
     changed, on = psim.Checkbox("handles hold orientation", document.orientation)
+    psim.SetItemTooltip("Handles and fixed parts hold the slope of the surface at their border too")
     if changed:
         asked.append(c.SetSetting("orientation", on))
     psim.TreePop()
@@ -69,12 +80,13 @@ def pose(editor: Editor, asked: list[c.Command]) -> None:
     """Rigid level, reset, undo and redo."""
     psim.SeparatorText("Pose")
     document = editor.document
-    moved, rigid = psim.SliderInt("rigid", document.rigid, 0, HIGHEST_RIGID)
-    psim.SetItemTooltip(
-        "0: linear, shrinks in large turns. 1: keeps lengths. 4: best for large bends"
-    )
-    if moved:
-        asked.append(c.SetSetting("rigid", rigid))
+    names, levels = list(LEVELS), list(LEVELS.values())
+    if document.rigid not in levels:
+        names, levels = [*names, f"{document.rigid} rounds"], [*levels, document.rigid]
+    changed, index = psim.Combo("shape", levels.index(document.rigid), names)
+    psim.SetItemTooltip(SHAPE_TIP)
+    if changed:
+        asked.append(c.SetSetting("rigid", levels[index]))
     if len(document.role) > LARGE:
         psim.SameLine()
         changed, exact = psim.Checkbox("exact", document.coarse_count is None)
