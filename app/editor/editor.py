@@ -6,7 +6,7 @@ from pathlib import Path
 
 from app.editor.actions import ACTIONS
 from app.editor.commands import Command
-from app.editor.softness_warnings import softness_warnings
+from app.editor.softness_warnings import Warning, softness_warnings
 from app.model.document import Document
 from app.model.handles import FIRST_HANDLE, FIXED
 from app.tools.table import TOOLS
@@ -44,7 +44,7 @@ class Editor(Workspace):
         self._borders: Borders | None = None
         self._lines: Latest[Lines | None] = Latest()
         self._dot_radius = dot_radius(document.mesh.vertices, self.neighbours.edges)
-        self._warnings: Latest[tuple[str, ...]] = Latest()
+        self._warnings: Latest[tuple[Warning, ...]] = Latest()
         self._left: Motion | None = None  # what the button that is down does to the camera
 
     def step(self, frame: Input) -> None:
@@ -128,7 +128,7 @@ class Editor(Workspace):
         return self.surface.version
 
     @property
-    def warnings(self) -> tuple[str, ...]:
+    def warnings(self) -> tuple[Warning, ...]:
         """What is wrong with the softness, in plain words; checked again when it has changed."""
         revision = self.document.revision
         version = tuple(revision[field] for field in ("role", "softness", "material"))

@@ -90,6 +90,16 @@ class Neighbours:
             front = around[np.diff(around, prepend=-1) > 0].astype(np.int64)
         return np.concatenate(found), np.concatenate(distances)
 
+    def fading(self, vertices: IntArray, rings: int) -> FloatArray:
+        """(n,) 1 at vertices (k,) and half as many rings of neighbours, 0 after so many."""
+        ring = np.full(self._graph.shape[0], rings)
+        front = vertices
+        for number in range(rings):
+            ring[front] = number
+            around = self._graph[front].indices
+            front = np.flatnonzero(np.bincount(around[ring[around] == rings], minlength=1))
+        return falloff(np.clip(2 * ring / rings - 1, 0, 1))
+
     def smoothed(
         self, values: FloatArray, vertices: IntArray, amounts: FloatArray, rounds: int
     ) -> FloatArray:

@@ -34,10 +34,15 @@ LEAST = 1e-3
 
 @dataclass(frozen=True)
 class SoftnessCheck:
-    """jump: the largest difference of softness along an edge.  stretching: the least gain."""
+    """jump: the largest difference of softness along an edge.  stretching: the least gain.
+
+    steep_at, weak_at: the vertices of the edges where either goes too far.
+    """
 
     jump: float
     stretching: float
+    steep_at: IntArray
+    weak_at: IntArray
 
     @property
     def steep(self) -> bool:
@@ -56,9 +61,10 @@ def check_softness(
     """Check softness (n,) over the edges (e, 2) of a mesh. Raises MaterialError (material)."""
     gain = resolve_material(material).stretching
     ends = softness[edges]
-    jump = float(np.abs(ends[:, 0] - ends[:, 1]).max(initial=0.0))
-    mean = 0.5 * (ends[:, 0] + ends[:, 1])
-    return SoftnessCheck(jump, float((gain ** np.append(mean, 0.0)).min()))
+    jumps, gains = np.abs(ends[:, 0] - ends[:, 1]), gain ** ends.mean(axis=1)
+    steep, weak = (np.unique(edges[bad]) for bad in (jumps > STEEPEST, gains < WEAKEST))
+    jump, least = float(jumps.max(initial=0.0)), float(gains.min(initial=1.0))
+    return SoftnessCheck(jump, least, steep, weak)
 
 
 def smooth_softness(V: ArrayLike, F: ArrayLike, softness: ArrayLike) -> FloatArray:

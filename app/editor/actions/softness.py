@@ -6,9 +6,15 @@ import numpy as np
 
 from app.editor import commands as c
 from app.editor.action import Actions
+from app.model.handles import FREE
 from app.workspace.workspace import Workspace
 from solver.softness.checks import smooth_softness
-from solver.softness.harmonic import interpolate_softness
+from solver.softness.filling import fill_between
+
+# How far a single dab reaches, in radii of the brush.
+LEAST_REACH = 2.0
+# Rings of edges around a fault that its cure touches.
+RINGS = 12
 
 
 def clear_softness(work: Workspace, command: c.ClearSoftness) -> None:
@@ -22,18 +28,22 @@ def fill_softness(work: Workspace, command: c.FillSoftness) -> None:
     pins = np.flatnonzero(document.pinned)
     if not len(pins):
         raise c.CommandError("nothing to fill from: dab a few soft and a few stiff spots first")
-    values = document.softness[pins]
-    softness = interpolate_softness(mesh.vertices, mesh.faces, pins, values)
-    component = work.neighbours.component
-    reached = np.flatnonzero(np.isin(component, component[pins]))
+    free, reach = document.role == FREE, LEAST_REACH * work.brush_radius
+    softness = fill_between(mesh.vertices, mesh.faces, document.softness, pins, free, reach)
     with work.edit("Fill softness") as gesture:
-        gesture.change("softness", softness[reached], reached)
+        gesture.change("softness", softness, np.arange(len(softness)))
 
 
 def smooth_whole_softness(work: Workspace, command: c.SmoothSoftness) -> None:
+    """Around some vertices only where the command names them, fading out over some rings."""
     document, mesh = work.document, work.document.mesh
     softness = smooth_softness(mesh.vertices, mesh.faces, document.softness)
-    with work.edit("Smooth softness") as gesture:
+    label, amount = "Smooth softness", np.ones(len(softness))
+    if command.around is not None:
+        label = "Smooth softness there"
+        amount = work.neighbours.fading(np.array(command.around), RINGS)
+    with work.edit(label) as gesture:
+        softness = document.softness + amount * (softness - document.softness)
         gesture.change("softness", softness, np.arange(len(softness)))
 
 

@@ -10,6 +10,8 @@ from app.viewpoint.viewpoint import SIDES, UPS
 from app.workspace.workspace import Workspace
 from solver.types import IntArray
 
+MARGIN = 0.03  # diagonals around a place that is framed
+
 
 def frame_selected(work: Workspace, command: c.FrameSelected) -> None:
     chosen = _selected(work)
@@ -17,6 +19,14 @@ def frame_selected(work: Workspace, command: c.FrameSelected) -> None:
     if work.viewpoint.frames(positions):
         positions = work.positions[_all(work)]
     work.viewpoint.frame(positions)
+
+
+def frame_vertices(work: Workspace, command: c.FrameVertices) -> None:
+    """With some of what is around them: a place cannot be told from itself alone."""
+    positions = work.positions[list(command.vertices)]
+    low, high = positions.min(axis=0), positions.max(axis=0)
+    margin = MARGIN * work.document.diagonal
+    work.viewpoint.frame(np.vstack([low - margin, high + margin]))
 
 
 def view_from(work: Workspace, command: c.ViewFrom) -> None:
@@ -49,6 +59,7 @@ def _all(work: Workspace) -> IntArray:
 
 VIEW_ACTIONS: Actions = {
     c.FrameSelected: frame_selected,
+    c.FrameVertices: frame_vertices,
     c.ViewFrom: view_from,
     c.SetUp: set_up,
 }

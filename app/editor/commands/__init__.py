@@ -16,7 +16,7 @@ from app.editor.commands.regions import (
 )
 from app.editor.commands.settings import SetMaterial, SetSetting
 from app.editor.commands.softness import ClearPins, ClearSoftness, FillSoftness, SmoothSoftness
-from app.editor.commands.view import FrameSelected, SetUp, ViewFrom
+from app.editor.commands.view import FrameSelected, FrameVertices, SetUp, ViewFrom
 
 __all__ = [
     "ActivateHandle",
@@ -31,6 +31,7 @@ __all__ = [
     "Export",
     "FillSoftness",
     "FrameSelected",
+    "FrameVertices",
     "OpenMesh",
     "OpenSession",
     "Redo",

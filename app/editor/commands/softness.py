@@ -15,16 +15,17 @@ class ClearSoftness(Command):
 
 @dataclass(frozen=True)
 class FillSoftness(Command):
-    """Keep the pinned values, and give all vertices connected to one a harmonic softness."""
+    """Keep the pinned values and blend between them, as far as they are from each other."""
 
     notice: ClassVar[str] = "Working ..."
 
 
 @dataclass(frozen=True)
 class SmoothSoftness(Command):
-    """Even out the whole field, pins included."""
+    """Even out the whole field, pins included. around: only near these vertices."""
 
     notice: ClassVar[str] = "Working ..."
+    around: tuple[int, ...] | None = None
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,14 @@ class FrameSelected(Command):
 
 
 @dataclass(frozen=True)
+class FrameVertices(Command):
+    """See some vertices, from where the camera is."""
+
+    interrupts: ClassVar[bool] = False
+    vertices: tuple[int, ...]
+
+
+@dataclass(frozen=True)
 class ViewFrom(Command):
     """See the whole mesh from one of viewpoint.SIDES."""
 

@@ -28,16 +28,20 @@ SHAPE_TIP = (
 
 
 def softness_warnings(editor: Editor, asked: list[c.Command]) -> None:
-    """What is wrong with the softness, and a button that mends most of it."""
-    warnings = editor.warnings
-    psim.PushTextWrapPos(BUTTON_COLUMN - 8.0)
-    for warning in warnings:
-        psim.TextColored(BUSY_COLOR, warning)
-    psim.PopTextWrapPos()
-    if warnings:
+    """What is wrong with the softness; a click shows where, a button mends that place."""
+    for number, warning in enumerate(editor.warnings):
+        psim.PushID(number)
+        psim.PushTextWrapPos(BUTTON_COLUMN - 8.0)
+        psim.TextColored(BUSY_COLOR, warning.text)
+        psim.PopTextWrapPos()
+        psim.SetItemTooltip("Click to see where")
+        if psim.IsItemClicked():
+            asked.append(c.FrameVertices(tuple(warning.vertices.tolist())))
         psim.SameLine(BUTTON_COLUMN)
         if psim.Button("Smooth", REST_OF_LINE):
-            asked.append(c.SmoothSoftness())
+            asked.append(c.SmoothSoftness(tuple(warning.vertices.tolist())))
+        psim.SetItemTooltip("Even the softness out there, and nowhere else")
+        psim.PopID()
 
 
 def soft_parts(editor: Editor, asked: list[c.Command]) -> None:
