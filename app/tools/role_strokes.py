@@ -7,12 +7,13 @@ from collections.abc import Callable
 import numpy as np
 
 from app.model.document import Document
-from app.model.handles import FIRST_HANDLE, FIXED, FREE
+from app.model.handles import FIRST_HANDLE, FIXED, FREE, Handle
 from app.model.history import Gesture
 from app.tools.strokes import Paint, Stroke
 from app.tools.tool import on_surface
 from app.viewpoint.events import Input
 from app.workspace.picking import Hit
+from app.workspace.symmetry import mirrored_name
 from app.workspace.workspace import Interaction, Workspace
 from solver.geometry.procrustes import rigid_motion
 from solver.types import BoolArray, FloatArray, IntArray
@@ -97,4 +98,20 @@ def paint_handle(work: Workspace, press: Input, hit: Hit) -> Interaction:
         handle = work.document.new_handle()
         gesture.change("handles", (*work.document.handles, handle))
     work.activate(handle.key)
-    return Stroke(work, press, hit, gesture, HandlePaint(work, handle.key))
+    paint = HandlePaint(work, handle.key)
+    return Stroke(work, press, hit, gesture, paint, _mirrored(work, hit, gesture, handle))
+
+
+def _mirrored(work: Workspace, hit: Hit, gesture: Gesture, handle: Handle) -> Paint | None:
+    """What is painted across the mirror: the handle there, a new one, or at the mirror the same."""
+    if work.symmetry is None:
+        return None
+    key = work.symmetry.handle(work.document, handle.key)
+    if key is None:
+        image = work.symmetry.hit(hit, work.positions)
+        if image is None or np.linalg.norm(image.position - hit.position) < work.brush_radius:
+            return None
+        other = work.document.new_handle(mirrored_name(handle.name))
+        gesture.change("handles", (*work.document.handles, other))
+        key = other.key
+    return None if key == handle.key else HandlePaint(work, key)

@@ -28,16 +28,27 @@ class Paint(Protocol):
 
 
 class Stroke:
-    """Paints along the cursor's path, however few frames saw it move."""
+    """Paints along the cursor's path, however few frames saw it move, and across the mirror.
+
+    mirror: what is painted there, if it is something else.
+    """
 
     drags: ClassVar[bool] = False
 
     def __init__(
-        self, work: Workspace, press: Input, hit: Hit, gesture: Gesture, paint: Paint
+        self,
+        work: Workspace,
+        press: Input,
+        hit: Hit,
+        gesture: Gesture,
+        paint: Paint,
+        mirror: Paint | None = None,
     ) -> None:
         self._work = work
         self._gesture = gesture
         self._paint = paint
+        self._mirror = mirror or paint
+        self._image: FloatArray | None = None  # where the last dab was across the mirror
         self._radius = work.brush_radius
         self._ray: Ray | None = press.ray
         self._hit: Hit | None = hit
@@ -64,7 +75,8 @@ class Stroke:
 
     def finish(self) -> None:
         """Keep the stroke as one entry of the history."""
-        self._paint.finish(self._gesture)
+        for paint in {id(paint): paint for paint in (self._paint, self._mirror)}.values():
+            paint.finish(self._gesture)
         self._work.history.record(self._gesture.finish(self._paint.label))
 
     def cancel(self) -> None:
@@ -85,6 +97,13 @@ class Stroke:
         return self._hit.position
 
     def _dab(self, hit: Hit, start: FloatArray | None) -> None:
-        positions = self._work.positions
-        touched = self._work.neighbours.dab(positions, hit, self._radius, start)
-        self._paint.dab(self._gesture, *touched)
+        self._touch(self._paint, hit, start)
+        symmetry = self._work.symmetry
+        image = None if symmetry is None else symmetry.hit(hit, self._work.positions)
+        if image is not None and image.vertex != hit.vertex:
+            self._touch(self._mirror, image, None if start is None else self._image)
+        self._image = None if image is None else image.position
+
+    def _touch(self, paint: Paint, hit: Hit, start: FloatArray | None) -> None:
+        touched = self._work.neighbours.dab(self._work.positions, hit, self._radius, start)
+        paint.dab(self._gesture, *touched)

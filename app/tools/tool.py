@@ -57,7 +57,18 @@ def brush_cursor(work: Workspace, frame: Input) -> Overlay:
     hit = near_surface(work, frame, NEAR_SURFACE)
     if hit is None:
         return NOTHING
-    corners = work.positions[work.parts.faces[hit.face]]
     color = ERASING if frame.shift else PAINTING
-    place = work.neighbours, work.positions, hit, corners
-    return Overlay((brush_rim(*place, work.brush_radius, frame.camera, color),))
+    corners = work.positions[work.parts.faces[hit.face]]
+    places = [(hit, corners)]
+    if work.symmetry is not None:
+        image = work.symmetry.hit(hit, work.positions)
+        if image is not None and image.vertex != hit.vertex:
+            places.append((image, work.symmetry.plane.reflect(corners)))
+    return Overlay(
+        tuple(
+            brush_rim(
+                work.neighbours, work.positions, *place, work.brush_radius, frame.camera, color
+            )
+            for place in places
+        )
+    )

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import ClassVar, Literal, Protocol
 
 from app.model.document import Document, clock
-from app.model.handles import Handle
+from app.model.handles import Handle, Pose
 from app.model.history import Gesture, History
 from app.viewpoint.camera import Ray
 from app.viewpoint.events import Input
@@ -25,6 +25,7 @@ from app.workspace.live_surface import LiveSurface
 from app.workspace.parts import Parts
 from app.workspace.picking import Hit, Picker
 from app.workspace.regions import Regions
+from app.workspace.symmetry import Symmetry
 from solver.mesh.progress import Progress
 from solver.types import FloatArray
 
@@ -61,7 +62,7 @@ class Workspace:
     before the first.  export_path: where Export goes by default.  session_path: the session file
     last opened or saved.  interaction: the stroke or drag in progress.  progress: what is told how
     far reading and saving are.  viewpoint: where the person looks from.  last_input: of the frame
-    before.
+    before.  symmetry: the mirror across which all happens twice, None for none.
     """
 
     def __init__(
@@ -96,6 +97,8 @@ class Workspace:
         self.heat = Heat(mesh)
         self.parts = Parts(mesh)
         self.regions = Regions()
+        self.symmetry: Symmetry | None = None
+        self.symmetry_name = "off"
         self.picker = Picker(mesh.vertices, mesh.faces)
         self._under: Latest[Hit | None] = Latest()
         self.last_input: Input | None = None
@@ -160,6 +163,17 @@ class Workspace:
         self.parts.show(number, on)
         self.picker = Picker(self.document.mesh.vertices, self.parts.faces)
         self._under = Latest()
+
+    def posed(self, key: int, transform: FloatArray) -> Pose:
+        """The pose with one handle elsewhere, and the one that mirrors it with it."""
+        document = self.document
+        pose = document.pose.moved(key, transform)
+        if self.symmetry is None:
+            return pose
+        other = self.symmetry.handle(document, key)
+        if other is None or other == key:
+            return pose
+        return pose.moved(other, self.symmetry.transform(transform))
 
     @property
     def positions(self) -> FloatArray:

@@ -10,6 +10,7 @@ from app.editor.actions.poses import POSE_ACTIONS
 from app.editor.actions.regions import REGION_ACTIONS
 from app.editor.actions.settings import SETTING_ACTIONS
 from app.editor.actions.softness import SOFTNESS_ACTIONS
+from app.editor.actions.symmetry import SYMMETRY_ACTIONS
 from app.editor.actions.view import VIEW_ACTIONS
 from app.editor.file_actions import FILE_ACTIONS
 
@@ -21,6 +22,7 @@ ACTIONS: Actions = {
     **PART_ACTIONS,
     **POSE_ACTIONS,
     **HISTORY_ACTIONS,
+    **SYMMETRY_ACTIONS,
     **VIEW_ACTIONS,
     **FILE_ACTIONS,
 }

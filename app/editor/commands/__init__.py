@@ -16,6 +16,7 @@ from app.editor.commands.regions import (
 )
 from app.editor.commands.settings import SetMaterial, SetSetting
 from app.editor.commands.softness import ClearPins, ClearSoftness, FillSoftness, SmoothSoftness
+from app.editor.commands.symmetry import MirrorPose, MirrorRegions, SetSymmetry, ToggleSymmetry
 from app.editor.commands.view import FrameSelected, FrameVertices, SetUp, ViewFrom
 
 __all__ = [
@@ -32,6 +33,8 @@ __all__ = [
     "FillSoftness",
     "FrameSelected",
     "FrameVertices",
+    "MirrorPose",
+    "MirrorRegions",
     "OpenMesh",
     "OpenSession",
     "Redo",
@@ -45,11 +48,13 @@ __all__ = [
     "SetMap",
     "SetMaterial",
     "SetSetting",
+    "SetSymmetry",
     "SetTool",
     "SetTurn",
     "SetUp",
     "ShowPart",
     "SmoothSoftness",
+    "ToggleSymmetry",
     "Undo",
     "ViewFrom",
 ]
