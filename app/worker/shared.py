@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import pickle
+import secrets
 import weakref
 from dataclasses import dataclass
 from multiprocessing.shared_memory import SharedMemory
@@ -69,7 +71,7 @@ class Block:
         """Memory of at least this many bytes: the same as before, or a new one."""
         if self._memory is None or self._memory.size < size:
             self.release()
-            self._memory = SharedMemory(create=True, size=max(size, 1))
+            self._memory = _create(max(size, 1))
             # also when nobody calls `release`, and at the end of the program
             self._end = weakref.finalize(self, _remove, self._memory)
         return self._memory
@@ -100,6 +102,17 @@ class Guest:
                 self._memory.close()
             self._memory = SharedMemory(name)
         return self._memory
+
+
+def _create(size: int) -> SharedMemory:
+    """New memory, whose name tells which process it belongs to."""
+    while True:
+        # Short: some systems allow 31 characters.
+        name = f"deform-{os.getpid()}-{secrets.token_hex(4)}"
+        try:
+            return SharedMemory(name, create=True, size=size)
+        except FileExistsError:
+            continue
 
 
 def _remove(memory: SharedMemory) -> None:

@@ -70,7 +70,7 @@ if __name__ == "__main__":
 @POSIX
 @pytest.mark.parametrize("end", ["forgotten", "killed"])
 def test_nothing_is_left_when_the_window_ends_without_closing(tmp_path: Path, end: str) -> None:
-    before, script = blocks(), tmp_path / "window.py"
+    script = tmp_path / "window.py"
     script.write_text(SCRIPT, encoding="utf-8")
     window = subprocess.Popen(
         [sys.executable, str(script), end],
@@ -88,7 +88,7 @@ def test_nothing_is_left_when_the_window_ends_without_closing(tmp_path: Path, en
     if end == "forgotten":
         assert errors == ""
     deadline = time.monotonic() + WAIT
-    while not is_gone(pid) or not blocks() <= before:
+    while not is_gone(pid) or blocks(window.pid):
         assert time.monotonic() < deadline
         time.sleep(0.02)
 

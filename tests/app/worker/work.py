@@ -89,7 +89,8 @@ def is_gone(pid: int) -> bool:
     return False
 
 
-def blocks() -> set[str]:
-    """The shared memory there is on this machine, where that can be seen."""
+def blocks(owner: int | None = None) -> set[str]:
+    """The shared memory of a process, by default this one, where that can be seen."""
     folder = Path("/dev/shm")
-    return {path.name for path in folder.glob("psm_*")} if folder.is_dir() else set()
+    pattern = f"deform-{owner or os.getpid()}-*"
+    return {path.name for path in folder.glob(pattern)} if folder.is_dir() else set()
