@@ -88,13 +88,13 @@ def paint_fixed(work: Workspace, press: Input, hit: Hit) -> Interaction:
 
 @on_surface
 def paint_handle(work: Workspace, press: Input, hit: Hit) -> Interaction:
-    """A stroke that adds to the active handle, or makes the first; with Shift one that erases."""
+    """A stroke that adds to the active handle, or makes one; with Shift one that erases."""
     gesture = Gesture(work.document)
     if press.shift:
         eraser = RoleEraser(work.document, "Erase handle", lambda role: role >= FIRST_HANDLE)
         return Stroke(work, press, hit, gesture, eraser)
     handle = work.active
-    if handle is None:
+    if handle is None or handle.pin:  # a pin stays the spot that it is
         handle = work.document.new_handle()
         gesture.change("handles", (*work.document.handles, handle))
     work.activate(handle.key)

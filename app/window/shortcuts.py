@@ -78,6 +78,7 @@ SHORTCUTS = (
         )
         for key, name in ((1, "front"), (3, "right"), (7, "top"))
     ),
+    Shortcut("K", "Keep what is grabbed, as a pin", psim.ImGuiKey_K, _always(c.SetKeep())),
     Shortcut("X", "Mirror what you paint and drag", psim.ImGuiKey_X, _always(c.ToggleSymmetry())),
     Shortcut("F1", "Help", psim.ImGuiKey_F1, _always(WindowAction("help"))),
     Shortcut("Esc", "Cancel stroke or drag", psim.ImGuiKey_Escape, _always(c.CancelGesture())),

@@ -40,7 +40,7 @@ def set_brush(work: Workspace, command: c.SetBrush) -> None:
 
 
 def set_keep(work: Workspace, command: c.SetKeep) -> None:
-    work.keep = command.on
+    work.keep = not work.keep if command.on is None else command.on
 
 
 def set_turn(work: Workspace, command: c.SetTurn) -> None:

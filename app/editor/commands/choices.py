@@ -39,10 +39,13 @@ class SetTurn(Command):
 
 @dataclass(frozen=True)
 class SetKeep(Command):
-    """Whether what is grabbed stays where it was taken, as a pin, or is let go of."""
+    """Whether what is grabbed stays where it was taken, as a pin, or is let go of.
+
+    on: None for the other of the two.
+    """
 
     interrupts: ClassVar[bool] = False
-    on: bool
+    on: bool | None = None
 
 
 @dataclass(frozen=True)

@@ -73,7 +73,7 @@ def keep(editor: Editor, asked: list[c.Command]) -> None:
     """Whether a grab of the bare surface leaves a pin."""
     psim.SameLine()
     changed, on = psim.Checkbox("keep grabs", editor.keep)
-    psim.SetItemTooltip("A grab of the bare surface leaves a pin instead of letting go")
+    psim.SetItemTooltip("A grab of the bare surface leaves a pin instead of letting go (K)")
     if changed:
         asked.append(c.SetKeep(on))
 
