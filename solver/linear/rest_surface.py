@@ -16,7 +16,7 @@ from solver.types import FloatArray, IntArray
 
 
 class RestSurface:
-    """Positions in units of the bounding box's diagonal about its centre, and connectivity.
+    """Positions in units of the diagonal of what faces use, about its centre, and connectivity.
 
     In these units positions and frames have one magnitude, and nothing depends on the scale or
     the place of the file.
@@ -32,7 +32,9 @@ class RestSurface:
         self.topology = topology
         self.faces = topology.faces
         self._attachments = attachments
-        low, high = self.vertices.min(axis=0), self.vertices.max(axis=0)
+        # A stray vertex that no face uses may lie anywhere, and must not change a result.
+        used = self.vertices[self.faces.ravel()] if len(self.faces) else self.vertices
+        low, high = used.min(axis=0), used.max(axis=0)
         self.centre: FloatArray = 0.5 * (low + high)
         self.scale = float(np.linalg.norm(high - low)) or 1.0  # all vertices in one point
         self.points: FloatArray = (self.vertices - self.centre) / self.scale

@@ -150,3 +150,16 @@ def test_any_unit_and_any_place(scale: float, away: float) -> None:
     )
     X = Deformer(points, F, LEFT, [RIGHT]).pose([T], 1)
     np.testing.assert_allclose(X / scale - away, expected, atol=1e-8)
+
+
+@pytest.mark.parametrize("coarse", [None, 60])
+@pytest.mark.parametrize("rigid", [0, 1, 4])
+def test_a_stray_vertex_changes_nothing(rigid: int, coarse: int | None) -> None:
+    stray = np.vstack([BUMPS, [1000.0, -300.0, 5.0]])
+    T = motion(rotation([0, 1, 0], 40), [0, 1, 2])
+    expected, X = (
+        Deformer(points, F, LEFT, [RIGHT], coarse=coarse).pose([T], rigid)
+        for points in (BUMPS, stray)
+    )
+    np.testing.assert_allclose(X[:-1], expected, atol=1e-12 * diagonal(BUMPS))
+    np.testing.assert_array_equal(X[-1], stray[-1])
