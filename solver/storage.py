@@ -4,11 +4,17 @@ from __future__ import annotations
 
 import contextlib
 import os
+import platform
+import re
 import shutil
 import uuid
+import zlib
 from pathlib import Path
 
 from solver.errors import FileError
+
+_TEMPORARY = re.compile(r"\.deform-[0-9a-f]{8}-([1-9][0-9]{0,9})-[0-9a-f]{32}\.tmp")
+_BINARY = getattr(os, "O_BINARY", 0)  # Windows would translate line ends
 
 
 def read_bytes(path: str | os.PathLike[str]) -> bytes:
@@ -22,14 +28,16 @@ def read_bytes(path: str | os.PathLike[str]) -> bytes:
 
 
 def write_atomically(path: str | os.PathLike[str], data: bytes) -> None:
-    """Write beside the target, flush to the disk, then replace.
+    """Write beside the target, flush to the disk, then replace, and flush the folder too.
 
-    A symbolic link is written through; an existing file keeps its permissions.
+    A symbolic link is written through; an existing file keeps its permissions and its owner, and
+    at no time is anything of it in a file that more people may read.
     Raises FileError and leaves the old file (and nothing else) where the new one cannot be written.
     """
     try:
         target = Path(os.path.realpath(path))
         _check_target(target)
+        _remove_orphans(target.parent)
         _replace(target, data)
     except (OSError, ValueError) as error:
         raise FileError(f"{path}: cannot be written: {_reason(error)}") from error
@@ -47,19 +55,70 @@ def _check_target(target: Path) -> None:
 
 
 def _replace(target: Path, data: bytes) -> None:
-    temporary = target.parent / f".{uuid.uuid4().hex}.tmp"
+    temporary = target.parent / f"{_prefix(os.getpid())}{uuid.uuid4().hex}.tmp"
+    known = target.exists()
     try:
-        with temporary.open("xb") as stream:
+        mode = 0o600 if known else 0o666  # the latter as any new file: the umask takes its part
+        number = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL | _BINARY, mode)
+        with os.fdopen(number, "wb") as stream:
             stream.write(data)
             stream.flush()
             os.fsync(stream.fileno())
-        if target.exists():
-            with contextlib.suppress(OSError):
-                shutil.copymode(target, temporary)
+        if known:
+            _keep_rights(target, temporary)
         os.replace(temporary, target)
+        _flush_folder(target.parent)
     finally:
         with contextlib.suppress(OSError):
             temporary.unlink()
+
+
+def _keep_rights(target: Path, temporary: Path) -> None:
+    """Owner first: changing it may take rights away."""
+    status = target.stat()
+    if hasattr(os, "chown") and (status.st_uid, status.st_gid) != (os.getuid(), os.getgid()):
+        with contextlib.suppress(OSError):
+            os.chown(temporary, status.st_uid, status.st_gid)
+    with contextlib.suppress(OSError):
+        shutil.copymode(target, temporary)
+
+
+def _flush_folder(folder: Path) -> None:
+    """The new name is on the disk as well; not every system can be asked for that."""
+    if os.name != "posix":
+        return
+    with contextlib.suppress(OSError):
+        number = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(number)
+        finally:
+            os.close(number)
+
+
+def _prefix(process: int) -> str:
+    """Begins the names of a process's temporaries. Folders may be shared by several machines."""
+    return f".deform-{zlib.crc32(platform.node().encode()):08x}-{process}-"
+
+
+def _remove_orphans(folder: Path) -> None:
+    """Temporaries of processes of this machine that ended in the middle of a save."""
+    if os.name != "posix":
+        return
+    with contextlib.suppress(OSError):
+        for name in os.listdir(folder):
+            found = _TEMPORARY.fullmatch(name)
+            if found and name.startswith(_prefix(int(found[1]))) and _is_gone(int(found[1])):
+                (folder / name).unlink(missing_ok=True)
+
+
+def _is_gone(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return True
+    except OSError:
+        return False
+    return False
 
 
 def _reason(error: OSError | ValueError) -> str:

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import os
 import stat
+import subprocess
 import sys
 from pathlib import Path
 
@@ -90,3 +91,62 @@ def test_a_symbolic_link_is_written_through(tmp_path: Path) -> None:
     write_atomically(link, b"new")
     assert link.is_symlink()
     assert target.read_bytes() == b"new"
+
+
+@posix_only
+def test_a_private_file_never_passes_through_a_readable_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target, modes = tmp_path / "a.json", []
+    target.write_bytes(b"old")
+    target.chmod(0o600)
+    replace = os.replace
+
+    def watched(source: Path, goal: Path) -> None:
+        modes.append(stat.S_IMODE(Path(source).stat().st_mode))
+        replace(source, goal)
+
+    def at_flush(number: int) -> None:
+        modes.append(stat.S_IMODE(os.fstat(number).st_mode))
+
+    monkeypatch.setattr(os, "fsync", at_flush)
+    monkeypatch.setattr(os, "replace", watched)
+    write_atomically(target, b"new")
+    assert modes[:2] == [0o600, 0o600]
+
+
+@posix_only
+def test_the_folder_is_flushed_after_the_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    flushed: list[bool] = []
+    monkeypatch.setattr(
+        os, "fsync", lambda number: flushed.append(stat.S_ISDIR(os.fstat(number).st_mode))
+    )
+    write_atomically(tmp_path / "a.obj", b"new")
+    assert flushed == [False, True]
+
+
+KILLED = """
+import os, signal, sys
+from pathlib import Path
+from solver import storage
+os.replace = lambda *names: os.kill(os.getpid(), signal.SIGKILL)
+storage.write_atomically(Path(sys.argv[1]), b"half")
+"""
+
+
+@posix_only
+def test_what_a_killed_save_left_is_removed_by_the_next_one(tmp_path: Path) -> None:
+    target = tmp_path / "a.json"
+    target.write_bytes(b"old")
+    root = Path(__file__).resolve().parents[2]
+    environment = os.environ | {"PYTHONPATH": str(root)}
+    done = subprocess.run([sys.executable, "-c", KILLED, str(target)], env=environment, check=False)
+    assert done.returncode != 0
+    assert target.read_bytes() == b"old"
+    assert len(os.listdir(tmp_path)) == 2
+    mine = tmp_path / ".deform-notes.tmp"
+    mine.write_bytes(b"a person's own")
+    write_atomically(tmp_path / "b.json", b"new")
+    assert sorted(os.listdir(tmp_path)) == [".deform-notes.tmp", "a.json", "b.json"]
