@@ -107,11 +107,12 @@ def _remove_orphans(folder: Path) -> None:
     with contextlib.suppress(OSError):
         for name in os.listdir(folder):
             found = _TEMPORARY.fullmatch(name)
-            if found and name.startswith(_prefix(int(found[1]))) and _is_gone(int(found[1])):
+            if found and name.startswith(_prefix(int(found[1]))) and is_gone(int(found[1])):
                 (folder / name).unlink(missing_ok=True)
 
 
-def _is_gone(process: int) -> bool:
+def is_gone(process: int) -> bool:
+    """Whether no process of this number runs; POSIX alone can be asked without harm."""
     try:
         os.kill(process, 0)
     except ProcessLookupError:

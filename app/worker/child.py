@@ -5,17 +5,24 @@ It ends with the window, however that ends: then the pipe between them closes.
 
 from __future__ import annotations
 
+import contextlib
+import ctypes
+import os
 import signal
+import sys
 from multiprocessing.connection import Connection
 
 from app.worker.service import SolverService
 from app.worker.shared import Guest, Packed, unpack
+
+PR_SET_PDEATHSIG = 1
 
 
 def serve(connection: Connection) -> None:
     """Meet requests until the other side is gone."""
     # Ctrl+C in a terminal reaches both processes; the window decides what it means.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    _end_with_parent()
     service, guest = SolverService(), Guest()
     while True:
         try:
@@ -25,3 +32,14 @@ def serve(connection: Connection) -> None:
             connection.send(Packed(answer).put(memory))
         except (EOFError, OSError):
             return
+
+
+def _end_with_parent() -> None:
+    """Where the system can be asked for it: the bind of a window that is gone would go on."""
+    if not sys.platform.startswith("linux"):
+        return
+    parent = os.getppid()
+    with contextlib.suppress(OSError, AttributeError):
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+    if os.getppid() != parent:  # it ended just before
+        os._exit(1)

@@ -89,6 +89,7 @@ class SolverProcess:
         self._process.join()
         self._process.close()
         self._process = self._connection = None
+        self._block.release()  # another process could not find it
 
     def release(self) -> None:
         """End the process and give back the memory."""

@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import os
 import pickle
 import secrets
 import weakref
 from dataclasses import dataclass
 from multiprocessing.shared_memory import SharedMemory
+from pathlib import Path
 from typing import Any
+
+from solver.storage import is_gone
+
+FOLDER = Path("/dev/shm")  # where Linux has it
+PREFIX = "deform-"
 
 
 @dataclass(frozen=True)
@@ -61,17 +69,23 @@ def unpack(parcel: Parcel, memory: SharedMemory) -> Any:
 class Block:
     """Shared memory that grows as needed and is gone with its owner.
 
-    One side owns it, so that whatever becomes of the other side nothing is left behind.
+    One side owns it, and the other takes its name away as soon as it has it: whatever becomes of
+    either side, even of both at once, nothing is left behind.
     """
 
     def __init__(self) -> None:
         self._memory: SharedMemory | None = None
 
     def of_size(self, size: int) -> SharedMemory:
-        """Memory of at least this many bytes: the same as before, or a new one."""
+        """Memory of this many bytes, the same as before or a new one; less where there is less.
+
+        What does not fit goes another way, see Packed.put.
+        """
         if self._memory is None or self._memory.size < size:
             self.release()
-            self._memory = _create(max(size, 1))
+            self._memory = _create(max(size, 1)) or _create(1)
+            if self._memory is None:
+                raise OSError(errno.ENOSPC, "there is no shared memory")
             # also when nobody calls `release`, and at the end of the program
             self._end = weakref.finalize(self, _remove, self._memory)
         return self._memory
@@ -101,20 +115,53 @@ class Guest:
             if self._memory is not None:
                 self._memory.close()
             self._memory = SharedMemory(name)
+            self._memory.unlink()
         return self._memory
 
 
-def _create(size: int) -> SharedMemory:
-    """New memory, whose name tells which process it belongs to."""
+def _create(size: int) -> SharedMemory | None:
+    """New memory, whose name tells which process it belongs to; None where there is not as much."""
+    _remove_orphans()
     while True:
         # Short: some systems allow 31 characters.
-        name = f"deform-{os.getpid()}-{secrets.token_hex(4)}"
+        name = f"{PREFIX}{os.getpid()}-{secrets.token_hex(4)}"
         try:
-            return SharedMemory(name, create=True, size=size)
+            memory = SharedMemory(name, create=True, size=size)
         except FileExistsError:
             continue
+        if _reserve(name, size):
+            return memory
+        _remove(memory)
+        return None
+
+
+def _reserve(name: str, size: int) -> bool:
+    """Have the system set all of it aside: a container's shared memory may be smaller than what it
+    promises, and writing to what is not there would end the program."""
+    if not FOLDER.is_dir():
+        return True
+    number = os.open(FOLDER / name, os.O_RDWR)
+    try:
+        os.posix_fallocate(number, 0, size)
+    except OSError:
+        return False
+    finally:
+        os.close(number)
+    return True
+
+
+def _remove_orphans() -> None:
+    """What programs left that were killed before their solver had taken the name away."""
+    if not FOLDER.is_dir():
+        return
+    for path in FOLDER.glob(f"{PREFIX}*"):
+        owner = path.name.removeprefix(PREFIX).partition("-")[0]
+        if owner.isdecimal() and is_gone(int(owner)):
+            with contextlib.suppress(OSError):
+                path.unlink()
 
 
 def _remove(memory: SharedMemory) -> None:
     memory.close()
-    memory.unlink()
+    with contextlib.suppress(FileNotFoundError):  # the other side has done it already
+        memory.unlink()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -14,7 +15,9 @@ import pytest
 
 from app.worker import process
 from app.worker.client import ProcessWorker
+from app.worker.requests import Bound
 from app.worker.service import bind
+from app.worker.shared import Block
 from app.worker.snapshot import bind_request
 from tests.app.worker.work import (
     POSIX,
@@ -61,16 +64,17 @@ if __name__ == "__main__":
     worker = ProcessWorker()
     worker.request(bind_request(document()))
     results(worker)
+    if sys.argv[1] == "busy":
+        worker.request(bind_request(document(6000)))
     print(worker.pid, flush=True)
-    if sys.argv[1] == "killed":
+    if sys.argv[1] != "forgotten":
         sys.stdin.read()
 """
 
 
-@POSIX
-@pytest.mark.parametrize("end", ["forgotten", "killed"])
-def test_nothing_is_left_when_the_window_ends_without_closing(tmp_path: Path, end: str) -> None:
-    script = tmp_path / "window.py"
+def started(folder: Path, end: str) -> tuple[subprocess.Popen[str], int]:
+    """A program that runs SCRIPT, in a group of its own, and the number of its solver."""
+    script = folder / "window.py"
     script.write_text(SCRIPT, encoding="utf-8")
     window = subprocess.Popen(
         [sys.executable, str(script), end],
@@ -79,9 +83,16 @@ def test_nothing_is_left_when_the_window_ends_without_closing(tmp_path: Path, en
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
+        start_new_session=True,
     )
     assert window.stdout is not None
-    pid = int(window.stdout.readline())
+    return window, int(window.stdout.readline())
+
+
+@POSIX
+@pytest.mark.parametrize("end", ["forgotten", "killed"])
+def test_nothing_is_left_when_the_window_ends_without_closing(tmp_path: Path, end: str) -> None:
+    window, pid = started(tmp_path, end)
     if end == "killed":
         window.kill()
     _, errors = window.communicate(timeout=WAIT)
@@ -91,6 +102,64 @@ def test_nothing_is_left_when_the_window_ends_without_closing(tmp_path: Path, en
     while not is_gone(pid) or blocks(window.pid):
         assert time.monotonic() < deadline
         time.sleep(0.02)
+
+
+@POSIX
+def test_nothing_is_left_when_all_are_killed_at_once(tmp_path: Path) -> None:
+    window, pid = started(tmp_path, "killed")
+    os.killpg(window.pid, signal.SIGKILL)
+    window.communicate(timeout=WAIT)
+    deadline = time.monotonic() + WAIT
+    while not is_gone(pid):
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+    assert not blocks(window.pid)
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="asks Linux for it")
+def test_the_solver_ends_at_once_with_a_killed_window_whatever_it_does(tmp_path: Path) -> None:
+    window, pid = started(tmp_path, "busy")
+    time.sleep(0.2)  # in the middle of a bind of several seconds, which holds the global lock
+    window.kill()
+    window.communicate(timeout=WAIT)
+    deadline = time.monotonic() + 1.0
+    while not is_gone(pid):
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+
+
+@pytest.mark.skipif(not Path("/dev/shm").is_dir(), reason="needs /dev/shm")
+def test_where_there_is_little_shared_memory_all_goes_through_the_pipe(
+    monkeypatch: pytest.MonkeyPatch, solver_process: ProcessWorker
+) -> None:
+    def full(number: int, start: int, size: int) -> None:
+        if size > 1:
+            raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "posix_fallocate", full)
+    request = bind_request(document(60))
+    solver_process.request(request)
+    (bound,) = results(solver_process)
+    assert isinstance(bound, Bound)
+    np.testing.assert_array_equal(bound.model.pose([np.eye(4)]), request.vertices)
+
+
+@POSIX
+def test_memory_of_dead_programs_is_cleared_away() -> None:
+    folder = Path("/dev/shm")
+    if not folder.is_dir():
+        pytest.skip("needs /dev/shm")
+    dead = subprocess.Popen([sys.executable, "-c", ""])
+    dead.wait()
+    left, own = folder / f"deform-{dead.pid}-left", folder / f"deform-{os.getpid()}-mine"
+    for path in (left, own):
+        path.write_bytes(b"x")
+    block = Block()
+    block.of_size(10)
+    block.release()
+    assert not left.exists()
+    assert own.exists()
+    own.unlink()
 
 
 def test_the_process_knows_no_window_and_its_start_holds_nobody_up() -> None:
