@@ -65,7 +65,9 @@ if __name__ == "__main__":
     worker.request(bind_request(document()))
     results(worker)
     if sys.argv[1] == "busy":
-        worker.request(bind_request(document(6000)))
+        large = document(16000)
+        large.change("coarse", False)
+        worker.request(bind_request(large))
     print(worker.pid, flush=True)
     if sys.argv[1] != "forgotten":
         sys.stdin.read()
