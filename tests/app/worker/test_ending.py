@@ -123,11 +123,12 @@ def test_the_solver_ends_at_once_with_a_killed_window_whatever_it_does(tmp_path:
     window, pid = started(tmp_path, "busy")
     time.sleep(0.2)  # in the middle of a bind of several seconds, which holds the global lock
     window.kill()
-    window.communicate(timeout=WAIT)
+    window.wait(WAIT)
     deadline = time.monotonic() + 1.0
     while not is_gone(pid):
         assert time.monotonic() < deadline
         time.sleep(0.02)
+    window.communicate(timeout=WAIT)
 
 
 @pytest.mark.skipif(not Path("/dev/shm").is_dir(), reason="needs /dev/shm")
