@@ -15,13 +15,14 @@ from typing import Any
 import numpy as np
 
 from app.model.handles import FIRST_HANDLE, FIXED, Handle, Pose
+from app.model.poses import FIRST_POSE, KeptPose
 from app.model.settings import SETTINGS, coarse_count
 from solver import Setup
 from solver.mesh.mesh import Mesh
 from solver.softness.material import Material
 from solver.types import BoolArray, FloatArray, IntArray
 
-FIELDS = ("role", "handles", "pose", "softness", "pinned", "material", *SETTINGS)
+FIELDS = ("role", "handles", "pose", "poses", "softness", "pinned", "material", *SETTINGS)
 BIND_FIELDS = ("role", "softness", "material", "bending_length", "orientation", "attach", "coarse")
 
 # One clock for all documents: a revision never comes back, not even after opening another mesh.
@@ -42,7 +43,7 @@ class Document:
     """One open mesh and what a person decided about it.
 
     role: (n,) FREE, FIXED or the key of a handle.  handles: tuple of Handle, in the order shown.
-    pose: where they are.
+    pose: where they are.  poses: those that are kept, in the order shown, no two of one name.
     softness: (n,) in [0, 1].  pinned: (n,) whose softness a fill keeps; no session holds it.
     material: a preset's name or a Material.
     bending_length, orientation, rigid, attach, coarse: the solver's settings (SETTINGS).
@@ -57,6 +58,8 @@ class Document:
         self.handles: tuple[Handle, ...] = ()
         self.pose = Pose()
         self._keys = itertools.count(FIRST_HANDLE)
+        self.poses: tuple[KeptPose, ...] = ()
+        self._pose_keys = itertools.count(FIRST_POSE)
         self.softness: FloatArray = np.zeros(len(mesh.vertices))
         self.pinned: BoolArray = np.zeros(len(mesh.vertices), dtype=bool)
         self.material: str | Material = "hinge"
@@ -121,6 +124,12 @@ class Document:
         free = (f"handle {k}" for k in itertools.count(1) if f"handle {k}" not in taken)
         return Handle(next(self._keys), name or next(free))
 
+    def new_pose(self, pose: Pose, name: str = "") -> KeptPose:
+        """A kept pose, not yet part of the document; without a name it gets a free one."""
+        taken = {kept.name for kept in self.poses}
+        free = (f"pose {k}" for k in itertools.count(1) if f"pose {k}" not in taken)
+        return KeptPose(next(self._pose_keys), name or next(free), pose)
+
     def setup(self) -> Setup:
         """What the solver is bound to; handles without a vertex stay out."""
         return Setup(
@@ -148,6 +157,11 @@ class Document:
         """The keys of the handles that have vertices, in their order."""
         used = np.unique(self.role)
         return tuple(handle.key for handle in self.handles if handle.key in used)
+
+    def handle_centres(self) -> dict[int, FloatArray]:
+        """(3,) the middle at rest of each handle that has vertices."""
+        V = self.mesh.vertices
+        return {key: V[self.vertices_of(key)].mean(axis=0) for key in self.bound_keys}
 
     @cached_property
     def diagonal(self) -> float:

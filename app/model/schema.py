@@ -93,6 +93,17 @@ def list_of(item: Check) -> Check:
     return check
 
 
+def named(item: Check) -> Check:
+    """An object with any keys, whose values pass `item`."""
+
+    def check(value: Any, where: str) -> dict[str, Any]:
+        if not isinstance(value, dict):
+            raise refuse(where, "an object", value)
+        return {name: item(one, f"{where}.{_escaped(name)}") for name, one in value.items()}
+
+    return check
+
+
 def that(accepts: Callable[[Any], bool], expected: str) -> Check:
     """A value that `accepts` is true for."""
 

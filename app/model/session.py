@@ -17,6 +17,7 @@ from app.model import schema
 from app.model.document import Document
 from app.model.handles import FIXED, FREE
 from app.model.schema import SessionError
+from app.model.session_poses import POSES, handle_names, kept_poses, written_poses
 from app.model.settings import SETTINGS
 from solver.mesh.mesh import Mesh
 from solver.softness.material import PRESETS, Material
@@ -53,6 +54,7 @@ SESSION = schema.fields(
                 }
             )
         ),
+        "poses": POSES,
         "softness": schema.list_of(schema.share),
         "material": _material,
         "settings": schema.fields(
@@ -97,6 +99,7 @@ def to_document(session: Session, mesh: Mesh, mesh_path: Path) -> Document:
                 document.change("pose", document.pose.moved(handle.key, entry["transform"]))
             where = f"handles[{number}].vertices"
             _give_role(document, entry.get("vertices", []), handle.key, where)
+        document.change("poses", kept_poses(document, data.get("poses", [])))
         _set_softness(document, data.get("softness"))
         _check_pieces(data.get("settings", {}).get("attach", True), mesh)
     except SessionError as error:
@@ -109,7 +112,7 @@ def to_document(session: Session, mesh: Mesh, mesh_path: Path) -> Document:
 
 def write_session(path: Path, document: Document) -> None:
     """Write the document as a session file, the mesh relative to it. Raises FileError."""
-    mesh, material = document.mesh, document.material
+    mesh, material, names = document.mesh, document.material, handle_names(document)
     data: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
@@ -121,7 +124,7 @@ def write_session(path: Path, document: Document) -> None:
         "fixed": document.fixed.tolist(),
         "handles": [
             {
-                "name": handle.name,
+                "name": names[handle.key],
                 "vertices": document.vertices_of(handle.key).tolist(),
                 "transform": document.pose.of(handle.key).tolist(),
             }
@@ -130,6 +133,8 @@ def write_session(path: Path, document: Document) -> None:
         "material": vars(material) if isinstance(material, Material) else material,
         "settings": _settings(document),
     }
+    if document.poses:
+        data["poses"] = written_poses(document)
     if document.softness.any():
         data["softness"] = document.softness.tolist()
     lines = [f" {json.dumps(key)}: {json.dumps(data[key], allow_nan=False)}" for key in data]

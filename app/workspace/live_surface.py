@@ -26,6 +26,8 @@ from solver.errors import SolverError
 from solver.mesh.mesh import Mesh
 from solver.types import FloatArray
 
+WAIT = 0.05  # seconds between two looks at whether the surface has settled
+
 
 class BindError(SolverError):
     """What the document asks for could not be bound."""
@@ -74,14 +76,15 @@ class LiveSurface:
             self._take_results()
         self._show(document)
 
-    def settle(self, document: Document) -> None:
-        """Wait until the surface is what the document asks for.
+    def settle(self, document: Document, meanwhile: Callable[[], object] = lambda: None) -> None:
+        """Wait until the surface is what the document asks for; `meanwhile` is called now and then.
 
         Raises BindError if it cannot be, SolverError as `follow`.
         """
         self.follow(document, False, False)
         while self.worker.busy:
-            self.worker.wait()
+            self.worker.wait(WAIT)
+            meanwhile()
             self.follow(document, False, False)
         if self.bind_error:
             raise BindError(self.bind_error)

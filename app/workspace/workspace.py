@@ -18,6 +18,7 @@ from app.viewpoint.camera import Ray
 from app.viewpoint.events import Input
 from app.viewpoint.viewpoint import Viewpoint
 from app.worker.client import Worker
+from app.workspace.blend import Blend
 from app.workspace.brush import Brush, Neighbours
 from app.workspace.heat import Heat
 from app.workspace.latest import Latest
@@ -35,6 +36,9 @@ class Message:
     text: str
     kind: Literal["info", "error"]
     number: int
+
+
+FileState = tuple[int, int]  # when a file was last written, in ns, and how long it is
 
 
 class Interaction(Protocol):
@@ -56,10 +60,11 @@ class Workspace:
     """One open document with its history and its surface on screen, and what a person chose.
 
     tool: a name in tools.TOOLS.  map: a name in color_maps.MAPS.  turn: dragged handles turn by
-    themselves.  message: the last one, None before the first.  export_path: where Export goes
-    by default.  session_path: the session file last opened or saved.  interaction: the stroke or
-    drag in progress.  progress: what is told how far reading and saving are.  viewpoint: where
-    the person looks from.  last_input: of the frame before.
+    themselves.  blend: of two poses.  message: the last one, None before the first.  export_path:
+    where Export goes by default.  session_path: the session file last opened or saved.
+    interaction: the stroke or drag in progress.  progress: what is told how far reading and saving
+    are.  viewpoint: where the person looks from.  last_input: of the frame before.  written: the
+    files that exports gave a name.
     """
 
     def __init__(
@@ -78,6 +83,7 @@ class Workspace:
         self.message: Message | None = None
         self.progress: Progress | None = None
         self.viewpoint = Viewpoint()
+        self.written: dict[Path, FileState] = {}
         self.adopt(document, session_path)
 
     def adopt(self, document: Document, session_path: Path | None = None) -> None:
@@ -90,6 +96,7 @@ class Workspace:
         self.history = History()
         self.surface = LiveSurface(mesh, self.worker, self._complain)
         self.neighbours = Neighbours(mesh.vertices, mesh.faces)
+        self.blend = Blend()
         self.heat = Heat(mesh)
         self.parts = Parts(mesh)
         self._picker = Picker(mesh.vertices, mesh.faces)

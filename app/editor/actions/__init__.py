@@ -12,6 +12,7 @@ from app.editor.actions.settings import SETTING_ACTIONS
 from app.editor.actions.softness import SOFTNESS_ACTIONS
 from app.editor.actions.view import VIEW_ACTIONS
 from app.editor.file_actions import FILE_ACTIONS
+from app.editor.pose_export import POSE_EXPORT_ACTIONS
 
 ACTIONS: Actions = {
     **CHOICE_ACTIONS,
@@ -23,4 +24,5 @@ ACTIONS: Actions = {
     **HISTORY_ACTIONS,
     **VIEW_ACTIONS,
     **FILE_ACTIONS,
+    **POSE_EXPORT_ACTIONS,
 }

@@ -5,7 +5,19 @@ from app.editor.commands.command import Command, CommandError
 from app.editor.commands.files import Export, OpenMesh, OpenSession, SaveSession
 from app.editor.commands.history import CancelGesture, Redo, Undo
 from app.editor.commands.parts import SetFollows, ShowPart
-from app.editor.commands.poses import ResetPose
+from app.editor.commands.poses import (
+    BlendPoses,
+    ChooseBlend,
+    DeletePose,
+    DuplicatePose,
+    ExportPoses,
+    GoToPose,
+    KeepPose,
+    MovePose,
+    RenamePose,
+    ReplacePose,
+    ResetPose,
+)
 from app.editor.commands.regions import (
     ActivateHandle,
     AddHandle,
@@ -21,21 +33,31 @@ from app.editor.commands.view import FrameSelected, SetUp, ViewFrom
 __all__ = [
     "ActivateHandle",
     "AddHandle",
+    "BlendPoses",
     "CancelGesture",
+    "ChooseBlend",
     "ClearFixed",
     "ClearHandle",
     "ClearPins",
     "ClearSoftness",
     "Command",
     "CommandError",
+    "DeletePose",
+    "DuplicatePose",
     "Export",
+    "ExportPoses",
     "FillSoftness",
     "FrameSelected",
+    "GoToPose",
+    "KeepPose",
+    "MovePose",
     "OpenMesh",
     "OpenSession",
     "Redo",
     "RemoveHandle",
     "RenameHandle",
+    "RenamePose",
+    "ReplacePose",
     "ResetPose",
     "SaveSession",
     "SetBrush",
