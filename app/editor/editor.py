@@ -94,15 +94,20 @@ class Editor(Workspace):
         """Whether there are changes that no session file holds."""
         return self.history.dirty
 
-    def scene(self, edges: bool = False) -> Scene:
-        """What is to be drawn now; edges: whether those of the mesh are."""
+    def scene(self, edges: bool = False, rest: bool = False) -> Scene:
+        """What is to be drawn now; edges: whether those of the mesh are.
+
+        rest: the rest shape in place of the surface, and no cursor on it.
+        """
+        mesh, polygons = self.document.mesh, self.parts.polygons
+        positions = mesh.vertices if rest else self.positions
         dots = None
         if MAPS[self.map].pins:
             revision = self.document.revision["pinned"]
-            version = revision, self.positions_version, self.parts.hidden
-            dots = self._dots(version, self._pinned)
-        mesh, polygons = self.document.mesh, self.parts.polygons
-        return Scene(mesh, polygons, self.positions, self.colors, dots, edges, self.cursor)
+            version = revision, self.positions_version, self.parts.hidden, rest
+            dots = self._dots(version, lambda: self._pinned(positions))
+        cursor = NOTHING if rest else self.cursor
+        return Scene(mesh, polygons, positions, self.colors, dots, edges, cursor)
 
     @property
     def colors(self) -> FloatArray:
@@ -157,12 +162,12 @@ class Editor(Workspace):
             hint += f"; nothing holds {self.parts.name(int(piece))}, so it moves as a whole"
         return hint
 
-    def _pinned(self) -> Dots | None:
+    def _pinned(self, positions: FloatArray) -> Dots | None:
         """A dot on every pinned vertex."""
         document = self.document
         if not document.pinned.any():
             return None
-        return Dots(self.positions[document.pinned & self.parts.visible], self._dot_radius)
+        return Dots(positions[document.pinned & self.parts.visible], self._dot_radius)
 
     def _refresh(self) -> None:
         self.surface.follow(self.document, self.captures, self.dragging)
