@@ -61,11 +61,11 @@ def deform(mesh: Path, session: Path, output: Path, wish: Wish) -> None:
 
 def poser(document: Document) -> Callable[[Pose], FloatArray]:
     """What gives positions (n, 3) with every handle where a pose has it. Raises SolverError."""
-    mesh, keys = document.mesh, document.bound_keys
+    rest, keys = document.rest_positions, document.bound_keys
     if not keys:
-        return lambda pose: mesh.vertices
-    check_memory(len(mesh.vertices), document.coarse_count)
-    deformer = Deformer.of(mesh.vertices, mesh.faces, document.setup())
+        return lambda pose: rest
+    check_memory(len(rest), document.coarse_count)
+    deformer = Deformer.of(rest, document.mesh.faces, document.setup())
     return lambda pose: deformer.pose(list(pose.stacked(keys)), rigid=document.rigid)
 
 

@@ -100,7 +100,7 @@ class Editor(Workspace):
         rest: the rest shape in place of the surface, and no cursor on it.
         """
         mesh, polygons = self.document.mesh, self.parts.polygons
-        positions = mesh.vertices if rest else self.positions
+        positions = self.document.rest_positions if rest else self.positions
         dots = None
         if MAPS[self.map].pins:
             revision = self.document.revision["pinned"]

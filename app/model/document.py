@@ -16,14 +16,24 @@ import numpy as np
 
 from app.model.handles import FIRST_HANDLE, FIXED, Handle, Pose
 from app.model.poses import FIRST_POSE, KeptPose
+from app.model.rest import RestShape
 from app.model.settings import SETTINGS, coarse_count
 from solver import Setup
 from solver.mesh.mesh import Mesh
 from solver.softness.material import Material
 from solver.types import BoolArray, FloatArray, IntArray
 
-FIELDS = ("role", "handles", "pose", "poses", "softness", "pinned", "material", *SETTINGS)
-BIND_FIELDS = ("role", "softness", "material", "bending_length", "orientation", "attach", "coarse")
+FIELDS = ("role", "handles", "rest", "pose", "poses", "softness", "pinned", "material", *SETTINGS)
+BIND_FIELDS = (
+    "role",
+    "rest",
+    "softness",
+    "material",
+    "bending_length",
+    "orientation",
+    "attach",
+    "coarse",
+)
 
 # One clock for all documents: a revision never comes back, not even after opening another mesh.
 clock = itertools.count(1)
@@ -43,6 +53,7 @@ class Document:
     """One open mesh and what a person decided about it.
 
     role: (n,) FREE, FIXED or the key of a handle.  handles: tuple of Handle, in the order shown.
+    rest: where everything is at rest, None for where the file has it.
     pose: where they are.  poses: those that are kept, in the order shown, no two of one name.
     softness: (n,) in [0, 1].  pinned: (n,) whose softness a fill keeps; no session holds it.
     material: a preset's name or a Material.
@@ -56,6 +67,7 @@ class Document:
         self.serial = next(clock)
         self.role: IntArray = np.zeros(len(mesh.vertices), dtype=np.int64)
         self.handles: tuple[Handle, ...] = ()
+        self.rest: RestShape | None = None
         self.pose = Pose()
         self._keys = itertools.count(FIRST_HANDLE)
         self.poses: tuple[KeptPose, ...] = ()
@@ -104,6 +116,22 @@ class Document:
     def bind_version(self) -> int:
         """Grows whenever something changes that the solver has to be bound to."""
         return max(self.revision[name] for name in BIND_FIELDS)
+
+    @property
+    def rest_positions(self) -> FloatArray:
+        """(n, 3) at rest; the same array for as long as the rest shape is the same."""
+        return self.mesh.vertices if self.rest is None else self.rest.positions
+
+    @property
+    def surface_number(self) -> int:
+        """Names the mesh with its rest shape; another one for another."""
+        return self.serial if self.rest is None else self.rest.number
+
+    def new_rest(self, positions: FloatArray) -> RestShape:
+        """A rest shape (n, 3), not yet part of the document."""
+        own = np.array(positions)
+        own.setflags(write=False)
+        return RestShape(own, next(clock))
 
     @property
     def fixed(self) -> IntArray:
@@ -160,7 +188,7 @@ class Document:
 
     def handle_centres(self) -> dict[int, FloatArray]:
         """(3,) the middle at rest of each handle that has vertices."""
-        V = self.mesh.vertices
+        V = self.rest_positions
         return {key: V[self.vertices_of(key)].mean(axis=0) for key in self.bound_keys}
 
     @cached_property

@@ -118,6 +118,9 @@ def that(accepts: Callable[[Any], bool], expected: str) -> Check:
 text = that(lambda v: isinstance(v, str) and v != "", "a text that is not empty")
 count = that(lambda v: type(v) is int and v >= 0, "an integer, 0 or more")
 positive = that(lambda v: is_number(v) and v > 0, "a positive number")
+point = that(
+    lambda v: isinstance(v, list) and len(v) == 3 and all(map(is_number, v)), "three numbers"
+)
 share = that(lambda v: is_number(v) and 0 <= v <= 1, "a number from 0 to 1")
 
 

@@ -54,6 +54,7 @@ SESSION = schema.fields(
                 }
             )
         ),
+        "rest": schema.list_of(schema.point),
         "poses": POSES,
         "softness": schema.list_of(schema.share),
         "material": _material,
@@ -99,6 +100,7 @@ def to_document(session: Session, mesh: Mesh, mesh_path: Path) -> Document:
                 document.change("pose", document.pose.moved(handle.key, entry["transform"]))
             where = f"handles[{number}].vertices"
             _give_role(document, entry.get("vertices", []), handle.key, where)
+        _set_rest(document, data.get("rest"))
         document.change("poses", kept_poses(document, data.get("poses", [])))
         _set_softness(document, data.get("softness"))
         _check_pieces(data.get("settings", {}).get("attach", True), mesh)
@@ -133,6 +135,8 @@ def write_session(path: Path, document: Document) -> None:
         "material": vars(material) if isinstance(material, Material) else material,
         "settings": _settings(document),
     }
+    if document.rest is not None:
+        data["rest"] = document.rest_positions.tolist()
     if document.poses:
         data["poses"] = written_poses(document)
     if document.softness.any():
@@ -186,6 +190,15 @@ def _give_role(document: Document, vertices: list[int], role: int, where: str) -
             )
         seen.add(vertex)
     document.change("role", role, np.array(vertices, dtype=np.int64))
+
+
+def _set_rest(document: Document, rest: list[list[float]] | None) -> None:
+    if rest is None:
+        return
+    count = len(document.mesh.vertices)
+    if len(rest) != count:
+        raise SessionError(f"rest: expected {count} positions, one a vertex, got {len(rest)}")
+    document.change("rest", document.new_rest(np.array(rest, dtype=np.float64)))
 
 
 def _set_softness(document: Document, softness: list[float] | None) -> None:

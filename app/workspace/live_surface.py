@@ -23,7 +23,6 @@ from app.worker.requests import (
 from app.worker.snapshot import bind_request, preparation
 from app.workspace.pace import Pace
 from solver.errors import SolverError
-from solver.mesh.mesh import Mesh
 from solver.types import FloatArray
 
 WAIT = 0.05  # seconds between two looks at whether the surface has settled
@@ -46,15 +45,15 @@ class LiveSurface:
     orient_seconds, pose_seconds: what the last drag frame spent.
     """
 
-    def __init__(self, mesh: Mesh, worker: Worker, say: Callable[[str], None]) -> None:
-        """say: what tells the person that something went wrong."""
-        self._rest = mesh.vertices
+    def __init__(self, rest: FloatArray, worker: Worker, say: Callable[[str], None]) -> None:
+        """rest: (n, 3) positions to begin with.  say: what tells the person what went wrong."""
+        self._rest = rest
         self.worker = worker
         self._say = say
         self._pace = Pace()
         self._requested = 0  # the document's bind_version last taken care of
         self._preparation: BindRequest | None = None  # once a mesh
-        self.positions = mesh.vertices
+        self.positions = rest
         self.version = next(clock)
         self.bind_error = ""
         self.orient_seconds = self.pose_seconds = 0.0
@@ -66,6 +65,7 @@ class LiveSurface:
         editing: a stroke or drag is under way: no bind is asked for.  dragging: it moves handles.
         Raises SolverError if there is no pose to show.
         """
+        self._follow_rest(document)
         if not editing:
             self._request_bind(document)
         self._take_results()
@@ -117,6 +117,18 @@ class LiveSurface:
         """Whether some rigid level takes longer than a frame."""
         return self._pace.slow
 
+    def _follow_rest(self, document: Document) -> None:
+        """Forget what was bound of another rest shape.
+
+        Until the next bind comes what is seen stays, unless it is the rest shape that is asked for.
+        """
+        if document.rest_positions is not self._rest:
+            self._rest = document.rest_positions
+            self.worker.drop()
+            self._attach(None)
+            self._stays = True
+        self._stays = self._stays and not document.pose.at_rest
+
     def _request_bind(self, document: Document) -> None:
         if document.bind_version == self._requested:
             return
@@ -160,6 +172,7 @@ class LiveSurface:
     def _attach(self, bound: Bound | None) -> None:
         """Use another bind from the next pose on; None: the rest shape."""
         self.bound = bound
+        self._stays = False  # what is seen, although nothing is bound
         self._pace.forget()
         self._asked: RefineRequest | None = None
         self._refused: SolverError | None = None
@@ -212,7 +225,7 @@ class LiveSurface:
         Raises SolverError, and keeps the positions, if there is no pose to show.
         """
         transforms, pace = self._transforms(document), self._pace
-        modes = document.rigid, pace.dragging, pace.linear
+        modes = document.rigid, pace.dragging, pace.linear, self._stays
         wanted = (self.bound, transforms.tobytes(), *modes, self._refined)
         if wanted == self._shown:
             return
@@ -230,6 +243,8 @@ class LiveSurface:
     def _posed(self, transforms: FloatArray, level: int) -> FloatArray:
         """The best that is known of the surface: exact, unless a drag or an answer is under way."""
         refined = self._refined if self._refined and self._refined.request.rigid == level else None
+        if self._stays:
+            return self.positions
         if self.bound is None or _at_rest(transforms):
             return self._rest
         if refined is not None and refined.request.asks(transforms, level):

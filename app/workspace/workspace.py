@@ -94,7 +94,7 @@ class Workspace:
         self.document = document
         self.session_path = session_path
         self.history = History()
-        self.surface = LiveSurface(mesh, self.worker, self._complain)
+        self.surface = LiveSurface(document.rest_positions, self.worker, self._complain)
         self.neighbours = Neighbours(mesh.vertices, mesh.faces)
         self.blend = Blend()
         self.heat = Heat(mesh)
@@ -103,7 +103,7 @@ class Workspace:
         self._under: Latest[Hit | None] = Latest()
         self.last_input: Input | None = None
         self._active = document.handles[0].key if document.handles else None
-        self.viewpoint.show(mesh.vertices[mesh.pieces >= 0])
+        self.viewpoint.show(document.rest_positions[mesh.pieces >= 0])
 
     def say(self, text: str, kind: Literal["info", "error"] = "info") -> None:
         """Put a message on screen."""

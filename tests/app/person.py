@@ -134,6 +134,7 @@ def state(document: Document) -> tuple[object, ...]:
         document.attach,
         document.pinned.tobytes(),
         [(kept.name, kept.pose) for kept in document.poses],
+        document.rest_positions.tobytes(),
     )
 
 

@@ -8,6 +8,7 @@ from app.editor.actions.history import HISTORY_ACTIONS
 from app.editor.actions.parts import PART_ACTIONS
 from app.editor.actions.poses import POSE_ACTIONS
 from app.editor.actions.regions import REGION_ACTIONS
+from app.editor.actions.rest import REST_ACTIONS
 from app.editor.actions.settings import SETTING_ACTIONS
 from app.editor.actions.softness import SOFTNESS_ACTIONS
 from app.editor.actions.view import VIEW_ACTIONS
@@ -21,6 +22,7 @@ ACTIONS: Actions = {
     **SETTING_ACTIONS,
     **PART_ACTIONS,
     **POSE_ACTIONS,
+    **REST_ACTIONS,
     **HISTORY_ACTIONS,
     **VIEW_ACTIONS,
     **FILE_ACTIONS,

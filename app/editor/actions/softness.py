@@ -23,7 +23,7 @@ def fill_softness(work: Workspace, command: c.FillSoftness) -> None:
     if not len(pins):
         raise c.CommandError("nothing to fill from: dab a few soft and a few stiff spots first")
     values = document.softness[pins]
-    softness = interpolate_softness(mesh.vertices, mesh.faces, pins, values)
+    softness = interpolate_softness(document.rest_positions, mesh.faces, pins, values)
     component = work.neighbours.component
     reached = np.flatnonzero(np.isin(component, component[pins]))
     with work.edit("Fill softness") as gesture:
@@ -32,7 +32,7 @@ def fill_softness(work: Workspace, command: c.FillSoftness) -> None:
 
 def smooth_whole_softness(work: Workspace, command: c.SmoothSoftness) -> None:
     document, mesh = work.document, work.document.mesh
-    softness = smooth_softness(mesh.vertices, mesh.faces, document.softness)
+    softness = smooth_softness(document.rest_positions, mesh.faces, document.softness)
     with work.edit("Smooth softness") as gesture:
         gesture.change("softness", softness, np.arange(len(softness)))
 

@@ -13,10 +13,12 @@ from app.editor.commands.poses import (
     ExportPoses,
     GoToPose,
     KeepPose,
+    MakeRest,
     MovePose,
     RenamePose,
     ReplacePose,
     ResetPose,
+    RestoreRest,
 )
 from app.editor.commands.regions import (
     ActivateHandle,
@@ -50,6 +52,7 @@ __all__ = [
     "FrameSelected",
     "GoToPose",
     "KeepPose",
+    "MakeRest",
     "MovePose",
     "OpenMesh",
     "OpenSession",
@@ -59,6 +62,7 @@ __all__ = [
     "RenamePose",
     "ReplacePose",
     "ResetPose",
+    "RestoreRest",
     "SaveSession",
     "SetBrush",
     "SetFollows",

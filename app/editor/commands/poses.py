@@ -94,3 +94,15 @@ class ExportPoses(Command):
     notice: ClassVar[str] = "Saving poses ..."
     path: Path | None = None
     between: int = 0
+
+
+@dataclass(frozen=True)
+class MakeRest(Command):
+    """The surface as it is becomes the rest shape; kept poses lead where they did."""
+
+    notice: ClassVar[str] = "Working ..."
+
+
+@dataclass(frozen=True)
+class RestoreRest(Command):
+    """The file's shape is the rest shape again; the pose and the kept ones lead where they did."""

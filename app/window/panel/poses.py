@@ -37,6 +37,21 @@ def poses(editor: Editor, asked: list[c.Command]) -> None:
     psim.TreePop()
 
 
+def rest_menu(editor: Editor, asked: list[c.Command]) -> None:
+    """A button whose menu makes the surface the rest shape, and goes back to the file's."""
+    if psim.Button("Rest ..."):
+        psim.OpenPopup("rest")
+    psim.SetItemTooltip("What is the shape at rest")
+    if psim.BeginPopup("rest"):
+        for label, command, usable in (
+            ("Make this the rest shape", c.MakeRest(), not editor.document.pose.at_rest),
+            ("Back to the file's rest shape", c.RestoreRest(), editor.document.rest is not None),
+        ):
+            if psim.MenuItem(label, None, False, usable):
+                asked.append(command)
+        psim.EndPopup()
+
+
 def _rows(editor: Editor, asked: list[c.Command]) -> None:
     kept, line = editor.document.poses, psim.GetFrameHeightWithSpacing()
     room = ROWS + max(int((psim.GetIO().DisplaySize[1] - HEIGHT) / line), 0)

@@ -7,6 +7,7 @@ import polyscope.imgui as psim
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.model.settings import LARGE
+from app.window.panel.poses import rest_menu
 from app.window.panel.widgets import (
     BUSY_COLOR,
     BUTTON_COLUMN,
@@ -66,7 +67,7 @@ def soft_parts(editor: Editor, asked: list[c.Command]) -> None:
 
 
 def pose(editor: Editor, asked: list[c.Command]) -> None:
-    """Rigid level, reset, undo and redo."""
+    """Rigid level, reset, undo and redo, the rest shape."""
     psim.SeparatorText("Pose")
     document = editor.document
     moved, rigid = psim.SliderInt("rigid", document.rigid, 0, HIGHEST_RIGID)
@@ -95,4 +96,4 @@ def pose(editor: Editor, asked: list[c.Command]) -> None:
             if entries:
                 psim.SetItemTooltip(entries[-1].label)
         psim.SameLine()
-    psim.NewLine()
+    rest_menu(editor, asked)

@@ -10,24 +10,46 @@ import numpy as np
 import pytest
 
 from app.editor import commands as c
+from app.editor.pose_export import SOLVING
 from app.model.handles import Pose
 from app.model.poses import blended_pose
+from app.worker.requests import RefineRequest, Request, Result
 from app.worker.service import bind
 from app.worker.snapshot import bind_request
 from solver import load_mesh
+from solver.errors import SolverError
 from solver.geometry.motions import motion, rotation
 from solver.types import FloatArray
+from tests.app.inline import InlineWorker
 from tests.app.person import Person, error_of, slab, state
 
 UP = motion(rotation([0, 1, 0], -40), [1.0, 0, 3])
 TURNED = motion(rotation([0, 0, 1], 100), [1.0, 2, 3], centre=[19.0, 2, -1])
 
 
+class SlowWorker(InlineWorker):
+    """Gives refinements only after three looks."""
+
+    left = 0
+
+    def request(self, request: Request) -> None:
+        super().request(request)
+        self.left = 3 if isinstance(request, RefineRequest) else 0
+
+    def wait(self, timeout: float | None = None) -> bool:
+        self.left -= 1
+        return self.left <= 0
+
+    def poll(self) -> list[Result]:
+        return super().poll() if self.left <= 0 else []
+
+
 @pytest.fixture
 def two(tmp_path: Path) -> Person:
     """The bar from bar.obj, with poses "up" and "turned"; somewhere else now."""
     slab(20, 4, 2.0).save(tmp_path / "bar.obj", slab(20, 4, 2.0).vertices)
-    person = Person(load_mesh(tmp_path / "bar.obj"), tmp_path / "bar.obj")
+    path = tmp_path / "bar.obj"
+    person = Person(load_mesh(path), path, worker=SlowWorker())
     person.ready_bar()
     document = person.editor.document
     handle = document.handles[0].key
@@ -35,6 +57,7 @@ def two(tmp_path: Path) -> Person:
         kept = document.new_pose(Pose({handle: T}), name)
         document.change("poses", (*document.poses, kept))
     person.stroke([19, 2, 0], [17, 5, 0])
+    person.editor.settle()
     return person
 
 
@@ -158,9 +181,26 @@ def test_a_pose_that_cannot_be_solved_leaves_all_as_it_was(two: Person, tmp_path
     assert files(tmp_path) == []
 
 
-def test_the_progress_grows_to_its_end(two: Person, tmp_path: Path) -> None:
+def test_the_progress_is_told_while_poses_are_solved_and_grows_to_its_end(
+    two: Person, tmp_path: Path
+) -> None:
     told: list[float] = []
     two.editor.progress = told.append
     two.do(c.ExportPoses(tmp_path / "out.obj"))
     assert told == sorted(told)
     assert told[-1] == 1.0
+    solving = [fraction for fraction in told if fraction < SOLVING]
+    assert len(set(solving)) == 3, "for each pose and the one on screen"
+    assert len(solving) > 3, "also while one is waited for"
+
+
+def test_an_export_that_is_stopped_leaves_all_as_it_was(two: Person, tmp_path: Path) -> None:
+    def stop(fraction: float) -> None:
+        raise SolverError("stopped")
+
+    two.editor.progress = stop
+    before = state(two.editor.document)
+    two.do(c.ExportPoses(tmp_path / "out.obj"))
+    assert error_of(two) == "stopped"
+    assert state(two.editor.document) == before
+    assert files(tmp_path) == []

@@ -156,6 +156,7 @@ def test_the_rest_shape_can_be_drawn_in_place_of_the_surface(ready: Person) -> N
     pinned = editor.document.mesh.vertices[editor.document.pinned]
     np.testing.assert_array_equal(rest.dots.centres, pinned)
     after = editor.scene()
+    assert after.dots is not None
     assert after.positions is shown.positions
     np.testing.assert_array_equal(after.dots.centres, shown.dots.centres)
     assert state(editor.document) == before
