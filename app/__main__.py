@@ -75,7 +75,9 @@ def _deform(arguments: Sequence[str]) -> None:
     parser.add_argument("--rigid", type=_level, metavar="K", help="in place of the session's level")
     parser.add_argument("--pose", metavar="NAME", help="a kept pose in place of the current one")
     parser.add_argument(
-        "--poses", action="store_true", help="save all kept poses too: morph targets, or beside OUT"
+        "--poses",
+        action="store_true",
+        help="save all kept poses too: morph targets, or new files beside OUT",
     )
     parser.add_argument(
         "--exact", action="store_true", help="large meshes too: frames for every triangle"

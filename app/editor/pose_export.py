@@ -73,10 +73,11 @@ def _state(file: Path) -> FileState:
 
 def _numbered(document: Document, between: int) -> Iterator[tuple[str, Pose]]:
     """From the rest shape on, so that files sorted by name play as a film."""
-    yield f"000-{REST_NAME}", Pose()
-    steps = _steps(document, between)
-    for number, (name, _, pose) in enumerate(steps, start=1):
-        yield f"{number:03}-{name}" if name else f"{number:03}", pose
+    steps = [(REST_NAME, "", Pose()), *_steps(document, between)]
+    digits = max(len(str(len(steps) - 1)), 3)
+    for number, (name, _, pose) in enumerate(steps):
+        numbered = f"{number:0{digits}}"
+        yield f"{numbered}-{name}" if name else numbered, pose
 
 
 def _targets(document: Document, between: int) -> Iterator[tuple[str, Pose]]:

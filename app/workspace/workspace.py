@@ -101,6 +101,7 @@ class Workspace:
         self.parts = Parts(mesh)
         self._picker = Picker(mesh.vertices, mesh.faces)
         self._under: Latest[Hit | None] = Latest()
+        self._centres: Latest[dict[int, FloatArray]] = Latest()
         self.last_input: Input | None = None
         self._active = document.handles[0].key if document.handles else None
         self.viewpoint.show(document.rest_positions[mesh.pieces >= 0])
@@ -167,6 +168,13 @@ class Workspace:
     def positions(self) -> FloatArray:
         """(n, 3) on screen."""
         return self.surface.positions
+
+    @property
+    def handle_centres(self) -> dict[int, FloatArray]:
+        """(3,) the middle at rest of each handle, found again when it may differ."""
+        revision = self.document.revision
+        version = revision["role"], revision["rest"], revision["handles"]
+        return self._centres(version, self.document.handle_centres)
 
     @property
     def brush_radius(self) -> float:

@@ -72,7 +72,7 @@ def blend_poses(work: Workspace, command: c.BlendPoses) -> None:
     if not is_number(command.share):
         raise c.CommandError(f"the share of a blend must be a number, got {command.share!r}")
     share = min(max(float(command.share), 0.0), 1.0)
-    pose = blended_pose(start, end, share, work.document.handle_centres())
+    pose = blended_pose(start, end, share, work.handle_centres)
     _take(work, pose, "Blend poses", merge=f"blend {ends}")
     work.blend = replace(
         work.blend, start=ends[0], end=ends[1], share=share, pose=work.document.pose
