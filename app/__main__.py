@@ -18,7 +18,7 @@ COMMAND = "surface-deformation"
 PROGRAM = COMMAND if Path(sys.argv[0]).stem == COMMAND else "python -m app"
 WINDOW_HELP = """\
 other commands (each has --help):
-  deform MESH --session FILE -o OUT [--rigid K] [--exact]
+  deform MESH --session FILE -o OUT [--rigid K] [--pose NAME] [--poses] [--exact]
                                                   pose a mesh as a session says; no window
   info MESH                                       what a mesh is and what is wrong with it
   demo -o DIR                                     paint, fold and save, by itself
@@ -73,13 +73,20 @@ def _deform(arguments: Sequence[str]) -> None:
     parser.add_argument("--session", type=Path, metavar="FILE", required=True)
     parser.add_argument("-o", "--output", type=Path, metavar="OUT", required=True)
     parser.add_argument("--rigid", type=_level, metavar="K", help="in place of the session's level")
+    parser.add_argument("--pose", metavar="NAME", help="a kept pose in place of the current one")
+    parser.add_argument(
+        "--poses",
+        action="store_true",
+        help="save all kept poses too: morph targets, or new files beside OUT",
+    )
     parser.add_argument(
         "--exact", action="store_true", help="large meshes too: frames for every triangle"
     )
     options = parser.parse_args(arguments)
-    from app.headless import deform
+    from app.headless import Wish, deform
 
-    deform(options.mesh, options.session, options.output, options.rigid, options.exact)
+    wish = Wish(options.rigid, options.pose, options.poses, options.exact)
+    deform(options.mesh, options.session, options.output, wish)
 
 
 def _info(arguments: Sequence[str]) -> None:

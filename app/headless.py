@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
 from app.editor.file_actions import load_document
+from app.editor.pose_export import check_free, poses_to_save
 from app.model.document import Document
+from app.model.handles import Pose
+from app.model.schema import SessionError
 from app.worker.memory import check_memory
 from solver import Deformer, load_mesh
+from solver.mesh.mesh import pose_paths
 from solver.mesh.statistics import MeshStatistics, mesh_statistics
 from solver.types import FloatArray
 
@@ -16,27 +22,59 @@ POLYGON_NAMES = {3: "triangles", 4: "quads"}
 USUAL_EXTRAS = ("texture coordinates", "normals", "objects", "groups")
 
 
-def deform(mesh: Path, session: Path, output: Path, rigid: int | None, exact: bool) -> None:
-    """Pose `mesh` as `session` says, at level `rigid` if given, and save it. Raises SolverError.
+@dataclass(frozen=True)
+class Wish:
+    """What `deform` takes in place of what a session says.
 
+    rigid: the level.  pose: the name of a kept pose in place of the current one.
+    poses: whether all kept poses are saved, too.
     exact: without a coarse mesh for the frames, however large the mesh is.
     """
+
+    rigid: int | None = None
+    pose: str | None = None
+    poses: bool = False
+    exact: bool = False
+
+
+def deform(mesh: Path, session: Path, output: Path, wish: Wish) -> None:
+    """Pose `mesh` as `session` says, but for what is wished for, and save it. Raises SolverError.
+
+    Kept poses become morph targets of a format that has them, else a file each beside `output`;
+    a file that is there already is not replaced.
+    """
     document = load_document(mesh, session)
-    if rigid is not None:
-        document.change("rigid", rigid)
-    if exact:
+    if wish.rigid is not None:
+        document.change("rigid", wish.rigid)
+    if wish.exact:
         document.change("coarse", False)
-    document.mesh.save(output, posed(document))
+    if wish.pose is not None:
+        document.change("pose", _kept(document, wish.pose))
+    shapes: dict[str, Pose] = {}
+    if wish.poses:
+        shapes = poses_to_save(document, output)
+        check_free(map(Path, pose_paths(output, shapes).values()), {})
+    posed = poser(document)
+    X = posed(document.pose)
+    document.mesh.save(output, X, {name: posed(pose) for name, pose in shapes.items()})
 
 
-def posed(document: Document) -> FloatArray:
-    """Positions (n, 3) with every handle where its transform puts it. Raises SolverError."""
-    mesh, keys = document.mesh, document.bound_keys
+def poser(document: Document) -> Callable[[Pose], FloatArray]:
+    """What gives positions (n, 3) with every handle where a pose has it. Raises SolverError."""
+    rest, keys = document.rest_positions, document.bound_keys
     if not keys:
-        return mesh.vertices
-    check_memory(len(mesh.vertices), document.coarse_count)
-    deformer = Deformer.of(mesh.vertices, mesh.faces, document.setup())
-    return deformer.pose(list(document.pose.stacked(keys)), rigid=document.rigid)
+        return lambda pose: rest
+    check_memory(len(rest), document.coarse_count)
+    deformer = Deformer.of(rest, document.mesh.faces, document.setup())
+    return lambda pose: deformer.pose(list(pose.stacked(keys)), rigid=document.rigid)
+
+
+def _kept(document: Document, name: str) -> Pose:
+    poses = {kept.name: kept.pose for kept in document.poses}
+    if name not in poses:
+        known = f"one of {', '.join(map(repr, poses))}" if poses else "none, for none is kept"
+        raise SessionError(f"unknown pose {name!r}, expected {known}")
+    return poses[name]
 
 
 def info(path: Path) -> str:

@@ -8,6 +8,8 @@ from typing import Any
 from app.editor.commands import Command, CommandError
 from app.workspace.workspace import Workspace
 
+MOST_BETWEEN = 100
+
 Action = Callable[[Workspace, Any], None]  # Any: the kind of command it stands beside in its table
 Actions = dict[type[Command], Action]
 
@@ -16,3 +18,10 @@ def check_name(name: str, names: Collection[str], what: str) -> None:
     """Raise CommandError unless `name` is one of the names of a table."""
     if name not in names:
         raise CommandError(f"unknown {what} {name!r}, expected one of {', '.join(names)}")
+
+
+def check_between(count: int) -> int:
+    """The same number of shapes between two poses. Raises CommandError if it is none."""
+    if type(count) is not int or not 0 <= count <= MOST_BETWEEN:
+        raise CommandError(f"shapes between two poses must be 0 to {MOST_BETWEEN}, got {count!r}")
+    return count

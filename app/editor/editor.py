@@ -101,16 +101,20 @@ class Editor(Workspace):
         """Whether there are changes that no session file holds."""
         return self.history.dirty
 
-    def scene(self, edges: bool = False) -> Scene:
-        """What is to be drawn now; edges: whether those of the mesh are."""
+    def scene(self, edges: bool = False, rest: bool = False) -> Scene:
+        """What is to be drawn now; edges: whether those of the mesh are.
+
+        rest: the rest shape in place of the surface, and no cursor on it.
+        """
+        mesh, polygons = self.document.mesh, self.parts.polygons
+        positions = self.document.rest_positions if rest else self.positions
         dots = None
         if MAPS[self.map].pins:
             revision = self.document.revision["pinned"]
-            version = revision, self.positions_version, self.parts.hidden
-            dots = self._dots(version, self._pinned)
-        mesh, polygons = self.document.mesh, self.parts.polygons
-        shown = self.positions, self.colors, dots, edges, self._border_lines(), self.cursor
-        return Scene(mesh, polygons, *shown)
+            version = revision, self.positions_version, self.parts.hidden, rest
+            dots = self._dots(version, lambda: self._pinned(positions))
+        overlay, lines = (NOTHING, None) if rest else (self.cursor, self._border_lines())
+        return Scene(mesh, polygons, positions, self.colors, dots, edges, lines, overlay)
 
     @property
     def colors(self) -> FloatArray:
@@ -175,12 +179,12 @@ class Editor(Workspace):
         version = borders, self.positions_version, key, radius
         return self._lines(version, lambda: border_lines(borders, self.positions, key, radius))
 
-    def _pinned(self) -> Dots | None:
+    def _pinned(self, positions: FloatArray) -> Dots | None:
         """A dot on every pinned vertex."""
         document = self.document
         if not document.pinned.any():
             return None
-        return Dots(self.positions[document.pinned & self.parts.visible], self._dot_radius)
+        return Dots(positions[document.pinned & self.parts.visible], self._dot_radius)
 
     def _refresh(self) -> None:
         self.surface.follow(self.document, self.captures, self.dragging)

@@ -49,7 +49,7 @@ def open_command(path: Path) -> c.OpenMesh | c.OpenSession:
 
 def save_session(work: Workspace, command: c.SaveSession) -> None:
     path = command.path or default_session_path(work)
-    _spare_mesh(work, path)
+    spare_mesh(work, path)
     write_session(path, work.document)
     work.session_path = path
     work.history.mark_saved()
@@ -58,7 +58,7 @@ def save_session(work: Workspace, command: c.SaveSession) -> None:
 
 def export(work: Workspace, command: c.Export) -> None:
     path = command.path or default_export_path(work)
-    _spare_mesh(work, path)
+    spare_mesh(work, path)
     work.surface.settle(work.document)
     work.document.mesh.save(path, work.positions, progress=work.progress)
     work.say(f"Exported {path}")
@@ -83,7 +83,7 @@ def _announce(work: Workspace, path: Path) -> None:
     work.say(f"Opened {path.name}: {len(work.document.role):,} vertices")
 
 
-def _spare_mesh(work: Workspace, path: Path) -> None:
+def spare_mesh(work: Workspace, path: Path) -> None:
     """Raise CommandError if saving to `path` would replace the mesh that is open."""
     mesh = work.document.path
     if path.resolve() == mesh.resolve() or (

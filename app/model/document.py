@@ -15,15 +15,20 @@ from typing import Any
 import numpy as np
 
 from app.model.handles import FIRST_HANDLE, FIXED, GRAB, Handle, Pose
+from app.model.poses import FIRST_POSE, KeptPose
+from app.model.rest import RestShape
 from app.model.settings import SETTINGS, coarse_count
 from solver import Setup
 from solver.mesh.mesh import Mesh
 from solver.softness.material import Material
 from solver.types import BoolArray, FloatArray, IntArray
 
-FIELDS = ("role", "handles", "pose", "softness", "pinned", "material", "grab", *SETTINGS)
+FIELDS = (
+    *("role", "handles", "rest", "pose", "poses", "softness", "pinned", "material", "grab"),
+    *SETTINGS,
+)
 BIND_FIELDS = (
-    *("role", "softness", "material", "grab"),
+    *("role", "rest", "softness", "material", "grab"),
     *("bending_length", "orientation", "attach", "coarse"),
 )
 
@@ -45,7 +50,8 @@ class Document:
     """One open mesh and what a person decided about it.
 
     role: (n,) FREE, FIXED or the key of a handle.  handles: tuple of Handle, in the order shown.
-    pose: where they are.
+    rest: where everything is at rest, None for where the file has it.
+    pose: where they are.  poses: those that are kept, in the order shown, no two of one name.
     softness: (n,) in [0, 1].  pinned: (n,) whose softness a fill keeps; no session holds it.
     material: a preset's name or a Material.
     grab: (n,) the weights of what is grabbed softly now, None for nothing; no session holds it.
@@ -59,8 +65,11 @@ class Document:
         self.serial = next(clock)
         self.role: IntArray = np.zeros(len(mesh.vertices), dtype=np.int64)
         self.handles: tuple[Handle, ...] = ()
+        self.rest: RestShape | None = None
         self.pose = Pose()
         self._keys = itertools.count(FIRST_HANDLE)
+        self.poses: tuple[KeptPose, ...] = ()
+        self._pose_keys = itertools.count(FIRST_POSE)
         self.softness: FloatArray = np.zeros(len(mesh.vertices))
         self.pinned: BoolArray = np.zeros(len(mesh.vertices), dtype=bool)
         self.material: str | Material = "hinge"
@@ -108,6 +117,22 @@ class Document:
         return max(self.revision[name] for name in BIND_FIELDS)
 
     @property
+    def rest_positions(self) -> FloatArray:
+        """(n, 3) at rest; the same array for as long as the rest shape is the same."""
+        return self.mesh.vertices if self.rest is None else self.rest.positions
+
+    @property
+    def surface_number(self) -> int:
+        """Names the mesh with its rest shape; another one for another."""
+        return self.serial if self.rest is None else self.rest.number
+
+    def new_rest(self, positions: FloatArray) -> RestShape:
+        """A rest shape (n, 3), not yet part of the document."""
+        own = np.array(positions)
+        own.setflags(write=False)
+        return RestShape(own, next(clock))
+
+    @property
     def fixed(self) -> IntArray:
         """The fixed vertices, ascending."""
         return np.flatnonzero(self.role == FIXED)
@@ -126,6 +151,12 @@ class Document:
         kind = "pin" if pin else "handle"
         free = (f"{kind} {k}" for k in itertools.count(1) if f"{kind} {k}" not in taken)
         return Handle(next(self._keys), name or next(free), pin)
+
+    def new_pose(self, pose: Pose, name: str = "") -> KeptPose:
+        """A kept pose, not yet part of the document; without a name it gets a free one."""
+        taken = {kept.name for kept in self.poses}
+        free = (f"pose {k}" for k in itertools.count(1) if f"pose {k}" not in taken)
+        return KeptPose(next(self._pose_keys), name or next(free), pose)
 
     def setup(self) -> Setup:
         """What the solver is bound to; handles without a vertex stay out."""
@@ -155,6 +186,12 @@ class Document:
         used = np.unique(self.role)
         keys = [handle.key for handle in self.handles if handle.key in used]
         return (*keys, GRAB) if self.grab is not None else tuple(keys)
+
+    def handle_centres(self) -> dict[int, FloatArray]:
+        """(3,) the middle at rest of each handle that has vertices."""
+        V = self.rest_positions
+        keys = (key for key in self.bound_keys if key != GRAB)
+        return {key: V[self.vertices_of(key)].mean(axis=0) for key in keys}
 
     @cached_property
     def diagonal(self) -> float:

@@ -93,6 +93,17 @@ def list_of(item: Check) -> Check:
     return check
 
 
+def named(item: Check) -> Check:
+    """An object with any keys, whose values pass `item`."""
+
+    def check(value: Any, where: str) -> dict[str, Any]:
+        if not isinstance(value, dict):
+            raise refuse(where, "an object", value)
+        return {name: item(one, f"{where}.{_escaped(name)}") for name, one in value.items()}
+
+    return check
+
+
 def that(accepts: Callable[[Any], bool], expected: str) -> Check:
     """A value that `accepts` is true for."""
 
@@ -107,6 +118,9 @@ def that(accepts: Callable[[Any], bool], expected: str) -> Check:
 text = that(lambda v: isinstance(v, str) and v != "", "a text that is not empty")
 count = that(lambda v: type(v) is int and v >= 0, "an integer, 0 or more")
 positive = that(lambda v: is_number(v) and v > 0, "a positive number")
+point = that(
+    lambda v: isinstance(v, list) and len(v) == 3 and all(map(is_number, v)), "three numbers"
+)
 share = that(lambda v: is_number(v) and 0 <= v <= 1, "a number from 0 to 1")
 
 

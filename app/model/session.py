@@ -17,6 +17,7 @@ from app.model import schema
 from app.model.document import Document
 from app.model.handles import FIXED, FREE, Handle
 from app.model.schema import SessionError
+from app.model.session_poses import POSES, handle_names, kept_poses, written_poses
 from app.model.settings import SETTINGS
 from solver.mesh.mesh import Mesh
 from solver.softness.material import PRESETS, Material
@@ -53,6 +54,8 @@ SESSION = schema.fields(
         "fixed": schema.list_of(schema.count),
         "handles": schema.list_of(_HANDLE),
         "pins": schema.list_of(_HANDLE),
+        "rest": schema.list_of(schema.point),
+        "poses": POSES,
         "softness": schema.list_of(schema.share),
         "material": _material,
         "settings": schema.fields(
@@ -93,6 +96,8 @@ def to_document(session: Session, mesh: Mesh, mesh_path: Path) -> Document:
         for kind in ("handles", "pins"):
             for number, entry in enumerate(data.get(kind, [])):
                 _add_handle(document, entry, kind == "pins", f"{kind}[{number}]")
+        _set_rest(document, data.get("rest"))
+        document.change("poses", kept_poses(document, data.get("poses", [])))
         _set_softness(document, data.get("softness"))
         _check_pieces(data.get("settings", {}).get("attach", True), mesh)
     except SessionError as error:
@@ -105,7 +110,7 @@ def to_document(session: Session, mesh: Mesh, mesh_path: Path) -> Document:
 
 def write_session(path: Path, document: Document) -> None:
     """Write the document as a session file, the mesh relative to it. Raises FileError."""
-    mesh, material = document.mesh, document.material
+    mesh, material, names = document.mesh, document.material, handle_names(document)
     data: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
@@ -115,21 +120,25 @@ def write_session(path: Path, document: Document) -> None:
             "faces": len(mesh.faces),
         },
         "fixed": document.fixed.tolist(),
-        "handles": [_handle(document, h) for h in document.handles if not h.pin],
+        "handles": [_handle(document, h, names) for h in document.handles if not h.pin],
         "material": vars(material) if isinstance(material, Material) else material,
         "settings": _settings(document),
     }
-    if pins := [_handle(document, h) for h in document.handles if h.pin]:
+    if pins := [_handle(document, h, names) for h in document.handles if h.pin]:
         data["pins"] = pins
+    if document.rest is not None:
+        data["rest"] = document.rest_positions.tolist()
+    if document.poses:
+        data["poses"] = written_poses(document)
     if document.softness.any():
         data["softness"] = document.softness.tolist()
     lines = [f" {json.dumps(key)}: {json.dumps(data[key], allow_nan=False)}" for key in data]
     write_atomically(path, ("{\n" + ",\n".join(lines) + "\n}\n").encode())
 
 
-def _handle(document: Document, handle: Handle) -> dict[str, Any]:
+def _handle(document: Document, handle: Handle, names: dict[int, str]) -> dict[str, Any]:
     return {
-        "name": handle.name,
+        "name": names[handle.key],
         "vertices": document.vertices_of(handle.key).tolist(),
         "transform": document.pose.of(handle.key).tolist(),
     }
@@ -188,6 +197,15 @@ def _give_role(document: Document, vertices: list[int], role: int, where: str) -
             )
         seen.add(vertex)
     document.change("role", role, np.array(vertices, dtype=np.int64))
+
+
+def _set_rest(document: Document, rest: list[list[float]] | None) -> None:
+    if rest is None:
+        return
+    count = len(document.mesh.vertices)
+    if len(rest) != count:
+        raise SessionError(f"rest: expected {count} positions, one a vertex, got {len(rest)}")
+    document.change("rest", document.new_rest(np.array(rest, dtype=np.float64)))
 
 
 def _set_softness(document: Document, softness: list[float] | None) -> None:

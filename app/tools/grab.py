@@ -85,5 +85,5 @@ def put_pin(work: Workspace, vertices: IntArray, transform: FloatArray | None) -
 
 def _fit(work: Workspace, vertices: IntArray) -> FloatArray:
     """(4, 4) the rigid motion that best takes vertices from rest to where they are on screen."""
-    rest, shown = work.document.mesh.vertices[vertices], work.positions[vertices]
+    rest, shown = work.document.rest_positions[vertices], work.positions[vertices]
     return np.eye(4) if np.array_equal(rest, shown) else rigid_motion(rest, shown)

@@ -6,6 +6,7 @@ import time
 import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 import polyscope as ps
@@ -78,6 +79,7 @@ class Window:
         self._told = ProgressFrames("", lambda: self._panel.draw(editor))
         editor.progress = self._told
         self._drops: list[Path] = []
+        self._rest = False  # whether this frame shows the rest shape
         self._document = editor.document.serial
 
     def frame(self) -> None:
@@ -118,13 +120,16 @@ class Window:
         asked = [*read_shortcuts(editor.brush), *self._panel.draw(editor)]
         asked += [open_command(path) for path in self._drops]
         self._drops = []
+        self._rest = False
         for command in asked:
             self._do(command)
-        editor.step(read_mouse(editor.viewpoint.camera))
+        mouse = read_mouse(editor.viewpoint.camera)
+        # Nobody can paint or drag what is not seen: the mouse is the camera's meanwhile.
+        editor.step(replace(mouse, alt=True) if self._rest else mouse)
         if self._looked is not editor.viewpoint.camera:
             self._looked = editor.viewpoint.camera
             view.look(self._looked, editor.viewpoint.reach)
-        scene = editor.scene(edges=self._panel.show_edges)
+        scene = editor.scene(self._panel.show_edges, self._rest)
         view.show(scene)
         draw_overlay(scene.overlay, editor.viewpoint.camera)
         self._overlay()
@@ -148,6 +153,8 @@ class Window:
     def _act(self, name: str) -> None:
         if name == "help":
             self._panel.show_help = not self._panel.show_help
+        elif name == "rest":
+            self._rest = True
         else:
             self._panel.file_rows.use(name)
 

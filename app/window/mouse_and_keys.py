@@ -7,7 +7,7 @@ import polyscope.imgui as psim
 from app.editor import commands as c
 from app.viewpoint.camera import Camera
 from app.viewpoint.events import Input
-from app.window.shortcuts import SHORTCUTS
+from app.window.shortcuts import SHORTCUTS, Shortcut
 from app.workspace.brush import Brush
 
 
@@ -34,7 +34,7 @@ def read_mouse(camera: Camera) -> Input:
 
 
 def read_shortcuts(brush: Brush) -> list[c.Command]:
-    """The commands of keys that went down in this frame; none while somebody types in a field."""
+    """The commands of keys that went down in this frame, or are held; none while somebody types."""
     io = psim.GetIO()
     if io.WantTextInput:
         return []
@@ -46,9 +46,14 @@ def read_shortcuts(brush: Brush) -> list[c.Command]:
     return [
         shortcut.command(brush)
         for shortcut in SHORTCUTS
-        if (ctrl and shortcut.shift == shift if shortcut.ctrl else not ctrl_now)
-        and psim.IsKeyPressed(shortcut.key, shortcut.repeats)
+        if (ctrl and shortcut.shift == shift if shortcut.ctrl else not ctrl_now) and _asks(shortcut)
     ]
+
+
+def _asks(shortcut: Shortcut) -> bool:
+    if shortcut.held:
+        return bool(psim.IsKeyDown(shortcut.key))
+    return bool(psim.IsKeyPressed(shortcut.key, shortcut.repeats))
 
 
 def _held(now: bool, left: int, right: int) -> bool:

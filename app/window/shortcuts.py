@@ -16,14 +16,17 @@ RADIUS_STEP = 1.15
 
 @dataclass(frozen=True)
 class WindowAction(c.Command):
-    """Something the window does by itself: "help", or a row of the panel's files."""
+    """Something the window does by itself: "help", "rest", or a row of the panel's files."""
 
     name: str
 
 
 @dataclass(frozen=True)
 class Shortcut:
-    """A key and what it asks for. ctrl: with Ctrl, or Command on a Mac."""
+    """A key and what it asks for. ctrl: with Ctrl, or Command on a Mac.
+
+    held: asked for in every frame that the key is down.
+    """
 
     keys: str
     meaning: str
@@ -32,6 +35,7 @@ class Shortcut:
     ctrl: bool = False
     shift: bool = False
     repeats: bool = False
+    held: bool = False
 
 
 def _always(command: c.Command) -> Callable[[Brush], c.Command]:
@@ -80,6 +84,13 @@ SHORTCUTS = (
     ),
     Shortcut("K", "Keep what is grabbed, as a pin", psim.ImGuiKey_K, _always(c.SetKeep())),
     Shortcut("X", "Mirror what you paint and drag", psim.ImGuiKey_X, _always(c.ToggleSymmetry())),
+    Shortcut(
+        "` (left of 1)",
+        "See the rest shape, while it is held",
+        psim.ImGuiKey_GraveAccent,
+        _always(WindowAction("rest")),
+        held=True,
+    ),
     Shortcut("F1", "Help", psim.ImGuiKey_F1, _always(WindowAction("help"))),
     Shortcut("Esc", "Cancel stroke or drag", psim.ImGuiKey_Escape, _always(c.CancelGesture())),
 )

@@ -11,9 +11,9 @@ def preparation(document: Document) -> BindRequest:
     """A bind that holds nothing: it finds what belongs to the mesh alone, for those to come."""
     return BindRequest(
         version=0,
-        mesh=document.serial,
+        mesh=document.surface_number,
         keys=(),
-        vertices=document.mesh.vertices,
+        vertices=document.rest_positions,
         faces=document.mesh.faces,
         setup=Setup(coarse=document.coarse_count),
         rigid=0,
@@ -29,9 +29,9 @@ def bind_request(document: Document) -> BindRequest:
     keys = document.bound_keys
     return BindRequest(
         version=document.bind_version,
-        mesh=document.serial,
+        mesh=document.surface_number,
         keys=keys,
-        vertices=document.mesh.vertices,
+        vertices=document.rest_positions,
         faces=document.mesh.faces,
         setup=document.setup(),
         rigid=document.rigid if document.grab is None else 0,

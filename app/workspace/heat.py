@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import time
-from functools import cached_property
 
 import numpy as np
 
 from app.model.document import Document
 from app.model.handles import FREE
+from app.workspace.latest import Latest
 from solver.measure.distortion import Distortion
 from solver.mesh.mesh import Mesh
 from solver.types import FloatArray
@@ -25,7 +25,8 @@ class Heat:
     """
 
     def __init__(self, mesh: Mesh) -> None:
-        self._mesh = mesh
+        self._faces = mesh.faces
+        self._changes: Latest[Distortion] = Latest()
         self._seconds = dict.fromkeys(MEASURES, 0.0)
         self._shown: tuple[object, ...] = ()
         self.values: FloatArray = np.zeros(len(mesh.vertices))
@@ -44,13 +45,13 @@ class Heat:
 
         During a drag only if it fits the frame: else the last values stay until it ends.
         """
-        wanted = measure, version, document.revision["role"]
+        wanted = measure, version, document.revision["role"], document.surface_number
         if measure is None or wanted == self._shown:
             return
         same = self._shown[:1] == (measure,)
         if dragging and same and self._seconds[measure] > FRAME_BUDGET:
             return
-        change = self._change  # made before the clock runs: a mesh pays for it once
+        change = self._change(document)  # made before the clock runs: a mesh pays for it once
         start = time.perf_counter()
         found = getattr(change, measure)(positions, document.role == FREE)
         self._seconds[measure] = time.perf_counter() - start
@@ -58,6 +59,7 @@ class Heat:
         self.version += 1
         self._shown = wanted
 
-    @cached_property
-    def _change(self) -> Distortion:
-        return Distortion(self._mesh.vertices, self._mesh.faces)
+    def _change(self, document: Document) -> Distortion:
+        return self._changes(
+            document.surface_number, lambda: Distortion(document.rest_positions, self._faces)
+        )

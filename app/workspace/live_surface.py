@@ -23,9 +23,11 @@ from app.worker.requests import (
 )
 from app.worker.snapshot import bind_request, preparation
 from app.workspace.pace import Pace
+from app.workspace.refinements import Refinements, at_rest
 from solver.errors import SolverError
-from solver.mesh.mesh import Mesh
 from solver.types import FloatArray
+
+WAIT = 0.05  # seconds between two looks at whether the surface has settled
 
 
 class BindError(SolverError):
@@ -45,15 +47,15 @@ class LiveSurface:
     orient_seconds, pose_seconds: what the last drag frame spent.
     """
 
-    def __init__(self, mesh: Mesh, worker: Worker, say: Callable[[str], None]) -> None:
-        """say: what tells the person that something went wrong."""
-        self._rest = mesh.vertices
+    def __init__(self, rest: FloatArray, worker: Worker, say: Callable[[str], None]) -> None:
+        """rest: (n, 3) positions to begin with.  say: what tells the person what went wrong."""
+        self._rest = rest
         self.worker = worker
         self._say = say
         self._pace = Pace()
         self._requested = 0  # the document's bind_version last taken care of
         self._preparation: BindRequest | None = None  # once a mesh
-        self.positions = mesh.vertices
+        self.positions = rest
         self.version = next(clock)
         self.bind_error = ""
         self.orient_seconds = self.pose_seconds = 0.0
@@ -65,6 +67,7 @@ class LiveSurface:
         editing: a stroke or drag is under way: no bind is asked for, but for what it grabs.
         dragging: it moves handles. Raises SolverError if there is no pose to show.
         """
+        self._follow_rest(document)
         if not editing or document.grab is not None:
             self._request_bind(document)
         self._take_results()
@@ -77,20 +80,21 @@ class LiveSurface:
             self._take_results()
         self._show(document)
 
-    def settle(self, document: Document) -> None:
-        """Wait until the surface is what the document asks for.
+    def settle(self, document: Document, meanwhile: Callable[[], object] = lambda: None) -> None:
+        """Wait until the surface is what the document asks for; `meanwhile` is called now and then.
 
         Raises BindError if it cannot be, SolverError as `follow`.
         """
         self.follow(document, False, False)
         while self.worker.busy:
-            self.worker.wait()
+            self.worker.wait(WAIT)
+            meanwhile()
             self.follow(document, False, False)
         if self.bind_error:
             raise BindError(self.bind_error)
-        asked = self._asked
-        if self._refused and asked and asked.asks(self._transforms(document), document.rigid):
-            raise self._refused
+        refusal = self._refinements.refusal(self._transforms(document), document.rigid)
+        if refusal is not None:
+            raise refusal
 
     def orient(
         self, document: Document, key: int, grabbed: FloatArray, target: FloatArray
@@ -116,6 +120,18 @@ class LiveSurface:
     def slow(self) -> bool:
         """Whether some rigid level takes longer than a frame."""
         return self._pace.slow
+
+    def _follow_rest(self, document: Document) -> None:
+        """Forget what was bound of another rest shape.
+
+        Until the next bind comes what is seen stays, unless it is the rest shape that is asked for.
+        """
+        if document.rest_positions is not self._rest:
+            self._rest = document.rest_positions
+            self.worker.drop()
+            self._attach(None)
+            self._stays = True
+        self._stays = self._stays and not document.pose.at_rest
 
     def _request_bind(self, document: Document) -> None:
         if document.bind_version == self._requested:
@@ -160,51 +176,32 @@ class LiveSurface:
     def _attach(self, bound: Bound | None) -> None:
         """Use another bind from the next pose on; None: the rest shape."""
         self.bound = bound
+        self._stays = False  # what is seen, although nothing is bound
         self._pace.forget()
-        self._asked: RefineRequest | None = None
-        self._refused: SolverError | None = None
-        self._refined: Refined | None = None
+        self._refinements = Refinements()
         self._shown: tuple[object, ...] = ()
 
     def _take_pose(self, refined: Refined) -> None:
-        """Raises PoseError, and keeps what was before, if it is no use."""
+        """Raises PoseError."""
         if self.bound is None or refined.request.version != self.bound.request.version:
             return
         self._pace.learn(refined.request.rigid, refined.seconds)
-        try:
-            check_positions(refined.positions)
-        except PoseError as error:
-            self._refuse(refined.request, error)
-            raise
-        self._refined = refined
+        self._refinements.take(refined)
 
     def _take_failure(self, failure: Failure) -> None:
         if isinstance(failure.request, RefineRequest):
-            self._refuse(failure.request, failure.error)
+            self._refinements.refuse(failure.request, failure.error)
             raise failure.error
         self.bind_error = f"Binding failed: {failure.error}"
         self._say(self.bind_error)
-
-    def _refuse(self, request: RefineRequest, error: SolverError) -> None:
-        """The worker cannot give what it was asked for."""
-        if request is self._asked:
-            self._refused = error
 
     def _wish(self, document: Document) -> RefineRequest | None:
         """What the worker has to be asked for this frame's positions, None for nothing new."""
         transforms = self._transforms(document)
         linear = document.rigid == 0 or self._pace.linear
-        if self.bound is None or linear or _at_rest(transforms):
+        if self.bound is None or linear or at_rest(transforms):
             return None
-        known = [self._asked, self._refined.request if self._refined else None]
-        if any(one and one.asks(transforms, document.rigid) for one in known):
-            return None
-        request = self.bound.request
-        self._asked = RefineRequest(
-            request.version, transforms, document.rigid, len(request.vertices)
-        )
-        self._refused = None
-        return self._asked
+        return self._refinements.wish(self.bound, transforms, document.rigid)
 
     def _show(self, document: Document) -> None:
         """Pose the surface as the document asks, as far as that is known by now.
@@ -212,8 +209,8 @@ class LiveSurface:
         Raises SolverError, and keeps the positions, if there is no pose to show.
         """
         transforms, pace = self._transforms(document), self._pace
-        modes = document.rigid, pace.dragging, pace.linear
-        wanted = (self.bound, transforms.tobytes(), *modes, self._refined)
+        modes = document.rigid, pace.dragging, pace.linear, self._stays
+        wanted = (self.bound, transforms.tobytes(), *modes, self._refinements.latest)
         if wanted == self._shown:
             return
         self._shown = wanted  # first: a pose that is refused is not tried again every frame
@@ -229,8 +226,10 @@ class LiveSurface:
 
     def _posed(self, transforms: FloatArray, level: int) -> FloatArray:
         """The best that is known of the surface: exact, unless a drag or an answer is under way."""
-        refined = self._refined if self._refined and self._refined.request.rigid == level else None
-        if self.bound is None or _at_rest(transforms):
+        refined = self._refinements.at(level)
+        if self._stays:
+            return self.positions
+        if self.bound is None or at_rest(transforms):
             return self._rest
         if refined is not None and refined.request.asks(transforms, level):
             return refined.positions
@@ -246,7 +245,3 @@ class LiveSurface:
     def _transforms(self, document: Document) -> FloatArray:
         """(h, 4, 4): those of the handles in the order the bind knows them."""
         return document.pose.stacked(self.bound.request.keys if self.bound else ())
-
-
-def _at_rest(transforms: FloatArray) -> bool:
-    return bool((transforms == np.eye(4)).all())

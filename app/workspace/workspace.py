@@ -18,6 +18,7 @@ from app.viewpoint.camera import Ray
 from app.viewpoint.events import Input
 from app.viewpoint.viewpoint import Viewpoint
 from app.worker.client import Worker
+from app.workspace.blend import Blend
 from app.workspace.brush import Brush, Neighbours
 from app.workspace.heat import Heat
 from app.workspace.latest import Latest
@@ -39,6 +40,9 @@ class Message:
     number: int
 
 
+FileState = tuple[int, int]  # when a file was last written, in ns, and how long it is
+
+
 class Interaction(Protocol):
     """A stroke or a drag in progress. drags: whether it moves handles."""
 
@@ -58,11 +62,12 @@ class Workspace:
     """One open document with its history and its surface on screen, and what a person chose.
 
     tool: a name in tools.TOOLS.  map: a name in color_maps.MAPS.  turn: dragged handles turn by
-    themselves.  keep: what was grabbed stays where it was taken.  message: the last one, None
-    before the first.  export_path: where Export goes by default.  session_path: the session file
-    last opened or saved.  interaction: the stroke or drag in progress.  progress: what is told how
-    far reading and saving are.  viewpoint: where the person looks from.  last_input: of the frame
-    before.  symmetry: the mirror across which all happens twice, None for none.
+    themselves.  keep: what was grabbed stays where it was taken.  blend: of two poses.
+    symmetry: the mirror across which all happens twice, None for none.
+    message: the last one, None before the first.  interaction: the stroke or drag in progress.
+    progress: what is told how far reading and saving are.  viewpoint: where the person looks from.
+    last_input: of the frame before.  export_path: where Export goes by default.  session_path: the
+    session file last opened or saved.  written: the files that exports gave a name.
     """
 
     def __init__(
@@ -82,6 +87,7 @@ class Workspace:
         self.message: Message | None = None
         self.progress: Progress | None = None
         self.viewpoint = Viewpoint()
+        self.written: dict[Path, FileState] = {}
         self.adopt(document, session_path)
 
     def adopt(self, document: Document, session_path: Path | None = None) -> None:
@@ -92,8 +98,9 @@ class Workspace:
         self.document = document
         self.session_path = session_path
         self.history = History()
-        self.surface = LiveSurface(mesh, self.worker, self._complain)
+        self.surface = LiveSurface(document.rest_positions, self.worker, self._complain)
         self.neighbours = Neighbours(mesh.vertices, mesh.faces)
+        self.blend = Blend()
         self.heat = Heat(mesh)
         self.parts = Parts(mesh)
         self.regions = Regions()
@@ -101,10 +108,11 @@ class Workspace:
         self.symmetry_name = "off"
         self.picker = Picker(mesh.vertices, mesh.faces)
         self._under: Latest[Hit | None] = Latest()
+        self._centres: Latest[dict[int, FloatArray]] = Latest()
         self.last_input: Input | None = None
         self._active = document.handles[0].key if document.handles else None
         self._diagonal = document.diagonal  # found now, not at the first stroke
-        self.viewpoint.show(mesh.vertices[mesh.pieces >= 0])
+        self.viewpoint.show(document.rest_positions[mesh.pieces >= 0])
 
     def say(self, text: str, kind: Literal["info", "error"] = "info") -> None:
         """Put a message on screen."""
@@ -179,6 +187,13 @@ class Workspace:
     def positions(self) -> FloatArray:
         """(n, 3) on screen."""
         return self.surface.positions
+
+    @property
+    def handle_centres(self) -> dict[int, FloatArray]:
+        """(3,) the middle at rest of each handle, found again when it may differ."""
+        revision = self.document.revision
+        version = revision["role"], revision["rest"], revision["handles"]
+        return self._centres(version, self.document.handle_centres)
 
     @property
     def brush_radius(self) -> float:

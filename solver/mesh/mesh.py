@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -119,8 +119,8 @@ class Mesh:
             groups=self.groups,
         )
         files = {name: surface}
-        if not file_format.keeps_poses:
-            files |= _pose_files(surface)
+        for pose, file in pose_paths(name, surface.poses).items():
+            files[file] = replace(surface, positions=surface.poses[pose], path=file)
         tell = in_steps(progress or silent)
         for done, (file, content) in enumerate(files.items()):
             here = portion(tell, done / len(files), (done + 0.9) / len(files))
@@ -169,17 +169,29 @@ def _build(content: FileContent, name: str) -> Mesh:
     return Mesh(vertices, polygons, corners, faces, extras, source, groups)
 
 
-def _pose_files(surface: DeformedSurface) -> dict[str, DeformedSurface]:
-    """A file for each pose, named after it as far as a file's name allows."""
-    path = Path(surface.path)
-    files: dict[str, DeformedSurface] = {}
-    for pose, X in surface.poses.items():
+def pose_paths(path: str | os.PathLike[str], poses: Iterable[str]) -> dict[str, str]:
+    """The file of each pose that `Mesh.save` writes beside `path`; none where that holds them.
+
+    Each is named after its pose as far as a file's name allows. Raises MeshError where two poses
+    would have one file, also where the system takes capitals for small letters.
+
+    >>> from solver.mesh.mesh import pose_paths
+    >>> pose_paths("out.obj", ["fist", "open hand"])
+    {'fist': 'out-fist.obj', 'open hand': 'out-open_hand.obj'}
+    """
+    if _format(path).keeps_poses:
+        return {}
+    whole = Path(path)
+    paths: dict[str, str] = {}
+    taken: set[str] = set()
+    for pose in poses:
         safe = re.sub(r"[^\w.-]+", "_", pose)
-        name = str(path.with_name(f"{path.stem}-{safe}{path.suffix}"))
-        if name in files:
+        name = str(whole.with_name(f"{whole.stem}-{safe}{whole.suffix}"))
+        if name.casefold() in taken:
             raise MeshError(f"{name}: two poses would be saved there, expected distinct names")
-        files[name] = replace(surface, positions=X, path=name)
-    return files
+        taken.add(name.casefold())
+        paths[pose] = name
+    return paths
 
 
 def _positions(X: ArrayLike) -> FloatArray:

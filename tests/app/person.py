@@ -133,6 +133,8 @@ def state(document: Document) -> tuple[object, ...]:
         document.rigid,
         document.attach,
         document.pinned.tobytes(),
+        [(kept.name, kept.pose) for kept in document.poses],
+        document.rest_positions.tobytes(),
     )
 
 

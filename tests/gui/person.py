@@ -143,6 +143,13 @@ class Person:
             words += ["keyup", key, "sleep", PAUSE]
         self._xdotool(*words)
 
+    def hold(self, key: str) -> None:
+        """Press a key and leave it down."""
+        self._xdotool("keydown", key, "sleep", PAUSE)
+
+    def release_key(self, key: str) -> None:
+        self._xdotool("keyup", key, "sleep", PAUSE)
+
     def type(self, text: str) -> None:
         self._xdotool("type", "--delay", round(1000 * PAUSE), text)
 

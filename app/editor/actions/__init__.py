@@ -8,11 +8,13 @@ from app.editor.actions.history import HISTORY_ACTIONS
 from app.editor.actions.parts import PART_ACTIONS
 from app.editor.actions.poses import POSE_ACTIONS
 from app.editor.actions.regions import REGION_ACTIONS
+from app.editor.actions.rest import REST_ACTIONS
 from app.editor.actions.settings import SETTING_ACTIONS
 from app.editor.actions.softness import SOFTNESS_ACTIONS
 from app.editor.actions.symmetry import SYMMETRY_ACTIONS
 from app.editor.actions.view import VIEW_ACTIONS
 from app.editor.file_actions import FILE_ACTIONS
+from app.editor.pose_export import POSE_EXPORT_ACTIONS
 
 ACTIONS: Actions = {
     **CHOICE_ACTIONS,
@@ -21,8 +23,10 @@ ACTIONS: Actions = {
     **SETTING_ACTIONS,
     **PART_ACTIONS,
     **POSE_ACTIONS,
+    **REST_ACTIONS,
     **HISTORY_ACTIONS,
     **SYMMETRY_ACTIONS,
     **VIEW_ACTIONS,
     **FILE_ACTIONS,
+    **POSE_EXPORT_ACTIONS,
 }

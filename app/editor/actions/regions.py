@@ -7,6 +7,7 @@ from dataclasses import replace
 from app.editor import commands as c
 from app.editor.action import Actions
 from app.model.handles import FREE, Handle
+from app.model.poses import without_handle
 from app.workspace.workspace import Workspace
 
 
@@ -33,6 +34,7 @@ def remove_handle(work: Workspace, command: c.RemoveHandle) -> None:
         gesture.change("role", FREE, document.vertices_of(handle.key))
         gesture.change("handles", tuple(h for h in document.handles if h is not handle))
         gesture.change("pose", document.pose.without(handle.key))
+        gesture.change("poses", without_handle(document.poses, handle.key))
 
 
 def activate_handle(work: Workspace, command: c.ActivateHandle) -> None:

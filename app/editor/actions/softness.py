@@ -29,7 +29,9 @@ def fill_softness(work: Workspace, command: c.FillSoftness) -> None:
     if not len(pins):
         raise c.CommandError("nothing to fill from: dab a few soft and a few stiff spots first")
     free, reach = document.role == FREE, LEAST_REACH * work.brush_radius
-    softness = fill_between(mesh.vertices, mesh.faces, document.softness, pins, free, reach)
+    softness = fill_between(
+        document.rest_positions, mesh.faces, document.softness, pins, free, reach
+    )
     with work.edit("Fill softness") as gesture:
         gesture.change("softness", softness, np.arange(len(softness)))
 
@@ -37,7 +39,7 @@ def fill_softness(work: Workspace, command: c.FillSoftness) -> None:
 def smooth_whole_softness(work: Workspace, command: c.SmoothSoftness) -> None:
     """Around some vertices only where the command names them, fading out over some rings."""
     document, mesh = work.document, work.document.mesh
-    softness = smooth_softness(mesh.vertices, mesh.faces, document.softness)
+    softness = smooth_softness(document.rest_positions, mesh.faces, document.softness)
     label, amount = "Smooth softness", np.ones(len(softness))
     if command.around is not None:
         label = "Smooth softness there"

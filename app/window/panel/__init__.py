@@ -9,6 +9,7 @@ from app.editor.editor import Editor
 from app.window.panel.colours import colours
 from app.window.panel.file_rows import FileRows
 from app.window.panel.parts import parts
+from app.window.panel.poses import poses
 from app.window.panel.regions import regions
 from app.window.panel.settings import pose, soft_parts, softness_warnings
 from app.window.panel.status import status
@@ -27,6 +28,7 @@ SECTIONS = (
     soft_parts,
     softness_warnings,
     pose,
+    poses,
 )
 PLACE = (
     psim.ImGuiWindowFlags_NoTitleBar

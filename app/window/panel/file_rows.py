@@ -24,7 +24,10 @@ class FileRows:
         self._used = ""
 
     def use(self, name: str) -> None:
-        """As if a row had been used: "open" goes to its field, "save" and "export" do it."""
+        """As if a row had been used: "open" goes to its field, "save" and "export" do it.
+
+        "export poses" does it where "export" would.
+        """
         self._used = name
 
     def forget(self) -> None:
@@ -47,6 +50,8 @@ class FileRows:
         self._export, go = _row("Export mesh", "deformed mesh", proposed)
         if go or self._used == "export":
             asked.append(c.Export(_path(self._export)))
+        if self._used == "export poses":
+            asked.append(c.ExportPoses(_path(self._export), editor.blend.between))
         self._used = ""
 
 

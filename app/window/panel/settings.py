@@ -7,6 +7,7 @@ import polyscope.imgui as psim
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.model.settings import LARGE, LEVELS
+from app.window.panel.poses import rest_menu
 from app.window.panel.widgets import (
     BUSY_COLOR,
     BUTTON_COLUMN,
@@ -81,7 +82,7 @@ def soft_parts(editor: Editor, asked: list[c.Command]) -> None:
 
 
 def pose(editor: Editor, asked: list[c.Command]) -> None:
-    """Rigid level, reset, undo and redo."""
+    """Rigid level, reset, undo and redo, the rest shape."""
     psim.SeparatorText("Pose")
     document = editor.document
     names, levels = list(LEVELS), list(LEVELS.values())
@@ -111,4 +112,4 @@ def pose(editor: Editor, asked: list[c.Command]) -> None:
             if entries:
                 psim.SetItemTooltip(entries[-1].label)
         psim.SameLine()
-    psim.NewLine()
+    rest_menu(editor, asked)

@@ -13,9 +13,9 @@ from app.tools.table import TOOLS
 from app.tools.tool import Tool
 from app.viewpoint.camera import Pixel
 from app.viewpoint.events import Input
-from app.workspace.overlay import ERASING, PAINTING, Outline, Overlay
+from app.workspace.overlay import ERASING, NOTHING, PAINTING, Outline, Overlay
 from app.workspace.workspace import Workspace
-from tests.app.person import Person
+from tests.app.person import Person, state
 
 
 def test_what_has_not_changed_is_the_same_object(ready: Person) -> None:
@@ -137,3 +137,26 @@ def test_a_tool_may_begin_beside_the_surface_and_draw_where_it_has_been(
     assert not bar.editor.captures
     assert len(loops) == 1
     assert all(pixel is not None for pixel in loops[0].pixels[:3])
+
+
+def test_the_rest_shape_can_be_drawn_in_place_of_the_surface(ready: Person) -> None:
+    ready.use("softness", 3)
+    ready.stroke([10, 2, 0])
+    ready.use("drag")
+    ready.stroke([19, 2, 0], [12, 8, 0])
+    ready.use("softness")
+    editor = ready.editor
+    ready.frame([12, 8, 0])
+    before, shown = state(editor.document), editor.scene()
+    rest = editor.scene(rest=True)
+    assert rest.positions is editor.document.mesh.vertices
+    assert rest.overlay == NOTHING
+    assert rest.dots is not None
+    assert shown.dots is not None
+    pinned = editor.document.mesh.vertices[editor.document.pinned]
+    np.testing.assert_array_equal(rest.dots.centres, pinned)
+    after = editor.scene()
+    assert after.dots is not None
+    assert after.positions is shown.positions
+    np.testing.assert_array_equal(after.dots.centres, shown.dots.centres)
+    assert state(editor.document) == before

@@ -1,0 +1,57 @@
+"""What the commands do to the rest shape."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from app.editor import commands as c
+from app.editor.action import Actions
+from app.model.handles import Pose
+from app.model.rest import RestShape, affine_fit, composed, flattens, seen_from
+from app.workspace.workspace import Workspace
+
+
+def make_rest(work: Workspace, command: c.MakeRest) -> None:
+    document, pose = work.document, work.document.pose
+    if pose.at_rest:
+        raise c.CommandError("every handle is at rest: there is no other rest shape to make")
+    for handle in document.handles:
+        if flattens(pose.of(handle.key)):
+            raise c.CommandError(
+                f"{handle.name} is flattened: from such a shape nothing leads back"
+            )
+    work.surface.settle(document)
+    rest = document.new_rest(work.positions)
+    _set(work, "Make rest shape", rest, lambda other: seen_from(other, pose))
+
+
+def restore_rest(work: Workspace, command: c.RestoreRest) -> None:
+    document = work.document
+    file, rest = document.mesh.vertices, document.rest_positions
+    if document.rest is None:
+        raise c.CommandError("the rest shape is the file's already")
+    there = {}
+    for key in document.bound_keys:
+        vertices = document.vertices_of(key)
+        if not np.array_equal(file[vertices], rest[vertices]):
+            there[key] = affine_fit(file[vertices], rest[vertices])
+    label = "Back to the file's rest shape"
+    _set(work, label, None, lambda other: composed(other, there))
+
+
+def _set(
+    work: Workspace, label: str, rest: RestShape | None, moved: Callable[[Pose], Pose]
+) -> None:
+    """Another rest shape; `moved` gives what a pose becomes that leads where it did."""
+    document = work.document
+    with work.edit(label) as gesture:
+        gesture.change("rest", rest)
+        gesture.change("pose", moved(document.pose))
+        poses = (replace(kept, pose=moved(kept.pose)) for kept in document.poses)
+        gesture.change("poses", tuple(poses))
+
+
+REST_ACTIONS: Actions = {c.MakeRest: make_rest, c.RestoreRest: restore_rest}

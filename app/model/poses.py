@@ -1,0 +1,42 @@
+"""Kept poses: by name, and what lies between two of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from app.model.handles import Pose
+from solver.geometry.motions import ORIGIN
+from solver.geometry.screws import blended
+from solver.types import FloatArray
+
+# The rest shape is a place to go to, too; it is nobody's to rename or delete.
+REST, FIRST_POSE = 0, 1
+REST_NAME = "rest"
+
+
+@dataclass(frozen=True)
+class KeptPose:
+    """A pose with a name. `key`, FIRST_POSE or more, stays as long as the mesh."""
+
+    key: int
+    name: str
+    pose: Pose
+
+
+def blended_pose(start: Pose, end: Pose, share: float, centres: Mapping[int, FloatArray]) -> Pose:
+    """The pose that much of the way from one to another; at 0 and 1 these themselves.
+
+    centres: for the key of a handle its middle at rest, (3,): that moves on a screw.
+    """
+    if share in (0.0, 1.0):
+        return start if share == 0.0 else end
+    keys = {**start.transforms, **end.transforms}
+    return Pose(
+        {key: blended(start.of(key), end.of(key), share, centres.get(key, ORIGIN)) for key in keys}
+    )
+
+
+def without_handle(poses: Iterable[KeptPose], key: int) -> tuple[KeptPose, ...]:
+    """Kept poses that say nothing of a handle any more."""
+    return tuple(KeptPose(kept.key, kept.name, kept.pose.without(key)) for kept in poses)

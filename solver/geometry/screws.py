@@ -1,0 +1,68 @@
+"""Motions between two places: screws, which turn about a line and move along it at even speed."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.spatial.transform import Rotation
+
+from solver.geometry.motions import ORIGIN, motion
+from solver.geometry.procrustes import procrustes
+from solver.types import FloatArray
+
+# Of the size of a map: decides the rotation of one that flattens, where the map leaves it open.
+UNDECIDED = 1e-13
+
+
+def screw(D: FloatArray, share: float) -> FloatArray:
+    """D to the power of `share`, (4, 4): that much of the screw motion from the identity to D.
+
+    D: a rigid motion (4, 4). exp(share log D) in SE(3), by the shorter way round: powers of one D
+    have one axis, and screw(D, s) screw(D, t) = screw(D, s + t). At 180 degrees the two ways are as
+    short and one is taken. [Chasles 1830; Murray, Li & Sastry 1994]
+    """
+    turn = Rotation.from_matrix(D[:3, :3]).as_rotvec()
+    along = np.linalg.solve(_travel(turn), D[:3, 3])
+    turned = Rotation.from_rotvec(share * turn).as_matrix()
+    return motion(turned, _travel(share * turn) @ (share * along))
+
+
+def blended(A: FloatArray, B: FloatArray, share: float, centre: ArrayLike = ORIGIN) -> FloatArray:
+    """The affine map (4, 4) that much of the way from A to B; A itself at 0 and B itself at 1.
+
+    A = M S with a rigid M and a symmetric stretch S about the point `centre` (3,), by the polar
+    decomposition, and B likewise: M goes along the screw from one to the other, S in a straight
+    line. So `centre` moves on a screw, and neither a change of frame nor of what comes after A and
+    B makes a difference. For rigid A and B the centre plays no part.
+    """
+    if share == 0.0 or np.array_equal(A, B):
+        return A
+    if share == 1.0:
+        return B
+    (M, S), (N, Q) = (_polar(T, np.asarray(centre, dtype=np.float64)) for T in (A, B))
+    relative = N @ np.linalg.inv(M)
+    T: FloatArray = screw(relative, share) @ M @ ((1.0 - share) * S + share * Q)
+    T[3] = 0.0, 0.0, 0.0, 1.0  # to the last bit, as affine maps are written
+    return T
+
+
+def _polar(T: FloatArray, centre: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Rigid M and stretch S about `centre`, (4, 4) each, with T = M S."""
+    A = T[:3, :3]
+    R = procrustes(A.T + UNDECIDED * (float(np.linalg.norm(A)) or 1.0) * np.eye(3))
+    there = A @ centre + T[:3, 3]
+    return motion(R, there - centre, centre), motion(R.T @ A, centre=centre)
+
+
+def _travel(turn: FloatArray) -> FloatArray:
+    """V, (3, 3): the mean of the rotations from none to `turn` (3,), a rotation vector.
+
+    Who turns by `turn` and moves by u in his own frame meanwhile, both evenly, comes to V u.
+    """
+    x, y, z = turn
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    angle = float(np.linalg.norm(turn))
+    unit = cross / (angle or 1.0)
+    half = 0.5 * np.sinc(0.5 * angle / np.pi) ** 2
+    V: FloatArray = np.eye(3) + half * cross + (1.0 - np.sinc(angle / np.pi)) * unit @ unit
+    return V

@@ -1,0 +1,106 @@
+"""Kept poses in the window: an arm is bent, kept, blended and exported; the rest shape is seen."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app.demo import DRAG
+from solver import Deformer, load_mesh
+from solver.geometry.screws import screw
+from solver.types import FloatArray
+
+from .person import wait_until
+from .scene import Scene, positions
+
+# Where things stand in the panel with one handle and the drag tool in the hand.
+FOLD, KEEP, EXPORT = (70, 474), (45, 497), (145, 497)
+NAME, MORE = (100, 522), (280, 522)
+SLIDER = [(15, 572), (155, 572)]  # from its left end to its middle
+RIGHT_END = (299, 572)
+DUPLICATE = (350, 557)  # in the menu that MORE opens
+
+
+def keep(scene: Scene, name: str) -> None:
+    """Bend the arm with the drag tool, keep the pose and give it a name."""
+    person = scene.person
+    person.key("5")
+    scene.stroke(*DRAG)
+    person.click(*FOLD)
+    person.click(*KEEP)
+    person.wait_still()
+    person.click(*NAME)
+    person.key("ctrl+a")
+    person.type(name)
+    person.key("Return")
+
+
+def transform(scene: Scene) -> FloatArray:
+    return np.array(scene.save_session()["handles"][0]["transform"])
+
+
+def test_an_arm_is_kept_and_blended_halfway(ready: Scene) -> None:
+    scene, person = ready, ready.person
+    keep(scene, "fist")
+    session = scene.save_session()
+    assert [pose["name"] for pose in session["poses"]] == ["fist"]
+    fist = np.array(session["poses"][0]["transforms"]["hand"])
+    np.testing.assert_array_equal(fist, session["handles"][0]["transform"])
+
+    person.drag(SLIDER)
+    half = transform(scene)
+    angle, whole = (np.arccos((np.trace(T[:3, :3]) - 1) / 2) for T in (half, fist))
+    assert 0.4 < angle / whole < 0.6
+    np.testing.assert_allclose(half, screw(fist, angle / whole), atol=1e-6)
+
+    mesh = load_mesh(scene.session.with_name("mannequin.obj"))
+    setup = scene.save_session()
+    deformer = Deformer(
+        mesh.vertices,
+        mesh.faces,
+        setup["fixed"],
+        [setup["handles"][0]["vertices"]],
+        np.array(setup["softness"]),
+        setup["material"],
+    )
+    solved = deformer.pose([half], rigid=setup["settings"]["rigid"])
+    np.testing.assert_allclose(positions(scene.save_mesh()), solved, atol=1e-6)
+
+    person.drag([SLIDER[1], RIGHT_END])
+    np.testing.assert_array_equal(transform(scene), fist)
+    person.key("ctrl+z")
+    np.testing.assert_array_equal(transform(scene), half)
+    person.key("ctrl+z")
+    np.testing.assert_array_equal(transform(scene), fist)
+
+
+def test_all_poses_are_exported_while_the_one_on_screen_stays(ready: Scene) -> None:
+    scene, person = ready, ready.person
+    keep(scene, "fist")
+    person.click(*MORE)
+    person.wait_still()
+    person.click(*DUPLICATE)
+    bent = positions(scene.save_mesh())
+    person.key("ctrl+r")
+    person.move(1200, 700)
+    person.wait_still()
+    person.click(*EXPORT)
+    files = [scene.export.with_name(f"out-{name}.obj") for name in ("fist", "fist_2")]
+    wait_until(lambda: all(file.exists() for file in files), what="the poses")
+    for file in files:
+        np.testing.assert_allclose(load_mesh(file).vertices, bent, atol=1e-6)
+    np.testing.assert_array_equal(transform(scene), np.eye(4))
+
+
+def test_the_rest_shape_is_seen_while_its_key_is_held_and_nothing_changes(ready: Scene) -> None:
+    scene, person = ready, ready.person
+    at_rest = scene.silhouette()
+    person.key("5")
+    scene.stroke(*DRAG)
+    session = scene.save_session()
+    bent = scene.silhouette()
+    assert (bent != at_rest).mean() > 0.01
+    person.hold("grave")
+    assert (scene.silhouette() != at_rest).mean() < 0.0005
+    scene.stroke(DRAG[-1], DRAG[0])  # the hand that is there now is not seen, nor grabbed
+    person.release_key("grave")
+    assert scene.save_session() == session
