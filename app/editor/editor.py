@@ -94,15 +94,16 @@ class Editor(Workspace):
         """Whether there are changes that no session file holds."""
         return self.history.dirty
 
-    def scene(self, edges: bool = False) -> Scene:
-        """What is to be drawn now; edges: whether those of the mesh are."""
+    def scene(self) -> Scene:
+        """What is to be drawn now."""
         dots = None
         if MAPS[self.map].pins:
             revision = self.document.revision["pinned"]
             version = revision, self.positions_version, self.parts.hidden
             dots = self._dots(version, self._pinned)
         mesh, polygons = self.document.mesh, self.parts.polygons
-        return Scene(mesh, polygons, self.positions, self.colors, dots, edges, self.cursor)
+        shown = self.positions, self.colors, dots, self.looks, self.cursor
+        return Scene(mesh, polygons, *shown)
 
     @property
     def colors(self) -> FloatArray:

@@ -8,13 +8,17 @@ from typing import Any
 
 import numpy as np
 import polyscope as ps
+from numpy.typing import NDArray
 
 from app.viewpoint.camera import Camera
+from app.window.scaling import scaled
+from app.workspace.looks import PLAIN
 from app.workspace.scene import Dots, Scene
 
-SURFACE, COLORS, DOTS = "surface", "colors", "dots"
+SURFACE, COLORS, DOTS, GHOST = "surface", "colors", "dots", "ghost"
 EDGE_WIDTH, EDGE_COLOR = 0.6, (0.15, 0.15, 0.2)
 DOT_COLOR = (0.96, 0.96, 0.98)
+GHOST_COLOR, GHOST_OPACITY = (0.45, 0.47, 0.52), 0.35
 
 
 class View:
@@ -35,8 +39,10 @@ class View:
             self._mesh.get_quantity_buffer(COLORS, "colors").update_data(scene.colors)
         if scene.dots is not before.dots:
             _place(scene.dots)
-        if scene.edges != before.edges:  # setting it to what it is draws the whole scene again
-            self._mesh.set_edge_width(EDGE_WIDTH if scene.edges else 0.0)
+        if scene.looks != before.looks:  # setting it to what it is draws the whole scene again
+            self._mesh.set_edge_width(scaled(EDGE_WIDTH) if scene.looks.edges else 0.0)
+            self._mesh.set_smooth_shade(scene.looks.smooth)
+            _haunt(scene)
         self._shown = scene
 
     def _register(self, scene: Scene) -> Scene:
@@ -48,7 +54,8 @@ class View:
         self._mesh.set_edge_color(EDGE_COLOR)
         self._mesh.add_color_quantity(COLORS, scene.colors, enabled=True)
         _place(scene.dots)
-        return replace(scene, edges=False)
+        ps.remove_surface_mesh(GHOST, error_if_absent=False)
+        return replace(scene, looks=PLAIN)
 
     def look(self, camera: Camera, reach: float | None = None) -> None:
         """See what `camera` sees; the field of view stays.
@@ -63,6 +70,10 @@ class View:
         matrix[:3, :3], matrix[:3, 3] = axes, -axes @ camera.position
         ps.set_camera_view_matrix(matrix)
 
+    def pixels(self) -> NDArray[np.uint8]:
+        """What the camera sees, without the panel and what is drawn over the scene, (h, w, 3)."""
+        return np.ascontiguousarray(ps.screenshot_to_buffer(transparent_bg=False)[..., :3])
+
     def picture(self, path: Path, transparent: bool = False) -> None:
         """Save what the camera sees, without the panel, as a PNG. Raises FileError."""
         ps.screenshot(str(path), transparent_bg=transparent, include_UI=False)
@@ -74,3 +85,14 @@ def _place(dots: Dots | None) -> None:
     if dots is not None:
         cloud = ps.register_point_cloud(DOTS, dots.centres, color=DOT_COLOR, material="flat")
         cloud.set_radius(dots.radius, relative=False)
+
+
+def _haunt(scene: Scene) -> None:
+    """The rest shape seen through, where it is asked for."""
+    ps.remove_surface_mesh(GHOST, error_if_absent=False)
+    if scene.looks.rest:
+        ghost = ps.register_surface_mesh(GHOST, scene.mesh.vertices, scene.polygons)
+        ghost.set_color(GHOST_COLOR)
+        ghost.set_material("flat")
+        ghost.set_back_face_policy("identical")
+        ghost.set_transparency(GHOST_OPACITY)

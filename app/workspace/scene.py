@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.workspace.looks import PLAIN, Looks
 from app.workspace.overlay import NOTHING, Overlay
 from solver.mesh.mesh import Mesh
 from solver.types import FloatArray, IntArray
@@ -33,7 +34,7 @@ class Scene:
 
     mesh: another one is another surface, seen afresh.  polygons: those of it that are drawn.
     positions: (n, 3) of its vertices.  colors: (n, 3) RGB in [0, 1] of its vertices.
-    dots: what is pinned.  edges: whether the edges of the polygons are drawn.
+    dots: what is pinned.  looks: how the surface is drawn.
     overlay: what is drawn over it.
     """
 
@@ -42,7 +43,7 @@ class Scene:
     positions: FloatArray
     colors: FloatArray
     dots: Dots | None = None
-    edges: bool = False
+    looks: Looks = PLAIN
     overlay: Overlay = NOTHING
 
 

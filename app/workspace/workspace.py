@@ -22,8 +22,10 @@ from app.workspace.brush import Brush, Neighbours
 from app.workspace.heat import Heat
 from app.workspace.latest import Latest
 from app.workspace.live_surface import LiveSurface
+from app.workspace.looks import PLAIN, Looks
 from app.workspace.parts import Parts
 from app.workspace.picking import Hit, Picker
+from app.workspace.recent import Recent
 from solver.mesh.progress import Progress
 from solver.types import FloatArray
 
@@ -56,10 +58,11 @@ class Workspace:
     """One open document with its history and its surface on screen, and what a person chose.
 
     tool: a name in tools.TOOLS.  map: a name in color_maps.MAPS.  turn: dragged handles turn by
-    themselves.  message: the last one, None before the first.  export_path: where Export goes
-    by default.  session_path: the session file last opened or saved.  interaction: the stroke or
-    drag in progress.  progress: what is told how far reading and saving are.  viewpoint: where
-    the person looks from.  last_input: of the frame before.
+    themselves.  looks: how the surface is drawn.  message: the last one, None before the first.
+    export_path: where Export goes by default.  session_path: the session file last opened or
+    saved.  interaction: the stroke or drag in progress.  progress: what is told how far reading
+    and saving are.  viewpoint: where the person looks from.  recent: files opened or saved last.
+    last_input: of the frame before.
     """
 
     def __init__(
@@ -75,9 +78,11 @@ class Workspace:
         self.brush = Brush()
         self.turn = True
         self.map = "roles"
+        self.looks: Looks = PLAIN
         self.message: Message | None = None
         self.progress: Progress | None = None
         self.viewpoint = Viewpoint()
+        self.recent = Recent()
         self.adopt(document, session_path)
 
     def adopt(self, document: Document, session_path: Path | None = None) -> None:

@@ -16,7 +16,7 @@ from app.editor.commands.regions import (
 )
 from app.editor.commands.settings import SetMaterial, SetSetting
 from app.editor.commands.softness import ClearPins, ClearSoftness, FillSoftness, SmoothSoftness
-from app.editor.commands.view import FrameSelected, SetUp, ViewFrom
+from app.editor.commands.view import FrameSelected, SetLooks, SetUp, ViewFrom
 
 __all__ = [
     "ActivateHandle",
@@ -40,6 +40,7 @@ __all__ = [
     "SaveSession",
     "SetBrush",
     "SetFollows",
+    "SetLooks",
     "SetMap",
     "SetMaterial",
     "SetSetting",

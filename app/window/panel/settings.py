@@ -11,10 +11,12 @@ from app.window.panel.widgets import (
     BUSY_COLOR,
     BUTTON_COLUMN,
     REST_OF_LINE,
+    button_column,
     disabled,
     halves,
     logarithmic,
 )
+from app.window.scaling import scaled
 from solver.softness.material import PRESETS, Material, resolve_material
 
 SMALLEST_GAIN, LARGEST_GAIN = 0.01, 10.0
@@ -25,19 +27,18 @@ HIGHEST_RIGID = 10
 def softness_warnings(editor: Editor, asked: list[c.Command]) -> None:
     """What is wrong with the softness, and a button that mends most of it."""
     warnings = editor.warnings
-    psim.PushTextWrapPos(BUTTON_COLUMN - 8.0)
+    psim.PushTextWrapPos(scaled(BUTTON_COLUMN - 8.0))
     for warning in warnings:
         psim.TextColored(BUSY_COLOR, warning)
     psim.PopTextWrapPos()
     if warnings:
-        psim.SameLine(BUTTON_COLUMN)
+        button_column()
         if psim.Button("Smooth", REST_OF_LINE):
             asked.append(c.SmoothSoftness())
 
 
 def soft_parts(editor: Editor, asked: list[c.Command]) -> None:
     """Preset, gains, bending length and orientation."""
-    psim.SeparatorText("Soft parts")
     document = editor.document
     names = [*PRESETS, "custom"]
     material = document.material
@@ -67,7 +68,6 @@ def soft_parts(editor: Editor, asked: list[c.Command]) -> None:
 
 def pose(editor: Editor, asked: list[c.Command]) -> None:
     """Rigid level, reset, undo and redo."""
-    psim.SeparatorText("Pose")
     document = editor.document
     moved, rigid = psim.SliderInt("rigid", document.rigid, 0, HIGHEST_RIGID)
     psim.SetItemTooltip(
