@@ -46,7 +46,7 @@ def _ask(question: dict[str, Any]) -> str:
 
 
 def _leave_with_parent() -> None:
-    sys.stdin.buffer.read()
+    os.read(sys.stdin.fileno(), 1)  # a buffered read would hold up the end of the program
     os._exit(CANCELLED)
 
 

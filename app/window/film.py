@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from app.graphics import GraphicsError
+from solver.errors import SolverError
 from solver.storage import write_atomically
 
 Picture = NDArray[np.uint8]  # (height, width, 3), red, green, blue
@@ -23,10 +23,14 @@ MOST_FRAMES = 300  # a film of that size takes some 250 MB
 SHORTEST = 0.02  # seconds a frame lasts: viewers slow down what is shorter
 
 
+class PictureError(SolverError):
+    """A picture or film cannot be made."""
+
+
 def check_pictures() -> None:
-    """Raise GraphicsError where Pillow is missing."""
+    """Raise PictureError where Pillow is missing."""
     if find_spec("PIL") is None:
-        raise GraphicsError("pictures need Pillow: pip install pillow")
+        raise PictureError("pictures need Pillow: pip install pillow")
 
 
 def save_picture(picture: Picture, path: Path) -> None:

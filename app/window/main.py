@@ -140,14 +140,13 @@ class Window:
     def _frame(self) -> None:
         editor, view = self._editor, self._view
         editor.viewpoint.fit(ps.get_window_size(), scaled(WIDTH))
-        mouse = read_mouse(editor.viewpoint.camera)
         asked = [*read_shortcuts(editor.brush), *self._panel.draw(editor)]
         asked += [open_command(path) for path in self._drops]
         self._drops = []
         asked += self._answered()
         for command in asked:
             self._do(command)
-        editor.step(mouse)
+        editor.step(read_mouse(editor.viewpoint.camera))
         camera = self._studio.turning or editor.viewpoint.camera
         if self._looked is not camera:
             self._looked = camera

@@ -11,11 +11,10 @@ from app.editor.editor import Editor
 from app.model.free_path import free_path
 from app.viewpoint.camera import Camera
 from app.viewpoint.moves import orbited
-from app.window.film import Film, Picture, check_pictures, save_picture
+from app.window.film import Film, Picture, PictureError, check_pictures, save_picture
 from app.window.panel.widgets import WIDTH
 from app.window.scaling import scaled
 from app.window.view import View
-from solver.errors import SolverError
 
 PICTURES = ("picture", "turntable", "record")
 TURN_FRAMES, TURN_SECONDS = 72, 6.0
@@ -52,10 +51,10 @@ class Studio:
         return orbited(viewpoint.camera, viewpoint.pivot, (way, 0.0), viewpoint.up)
 
     def ask(self, name: str) -> None:
-        """One of PICTURES; "record" also ends a recording. Raises SolverError."""
+        """One of PICTURES; "record" also ends a recording. Raises PictureError."""
         check_pictures()
         if self._saving is not None and name != "picture":
-            raise SolverError("the last film is still being saved")
+            raise PictureError("the last film is still being saved")
         if name == "picture":
             self._asked = name
         elif name == "turntable":
