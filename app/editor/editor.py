@@ -13,6 +13,7 @@ from app.tools.table import TOOLS
 from app.viewpoint.events import Input
 from app.viewpoint.viewpoint import Motion
 from app.workspace.color_maps import MAPS
+from app.workspace.ghost import ghost as rest_ghost
 from app.workspace.latest import Latest
 from app.workspace.overlay import NOTHING, Overlay
 from app.workspace.scene import Dots, Scene, dot_radius
@@ -37,6 +38,7 @@ class Editor(Workspace):
         self._colors: Latest[FloatArray] = Latest()
         self._dots: Latest[Dots | None] = Latest()
         self._dot_radius = dot_radius(document.mesh.vertices, self.neighbours.edges)
+        self._ghost: Latest[FloatArray] = Latest()
         self._warnings: Latest[tuple[str, ...]] = Latest()
         self._left: Motion | None = None  # what the button that is down does to the camera
 
@@ -102,7 +104,10 @@ class Editor(Workspace):
             version = revision, self.positions_version, self.parts.hidden
             dots = self._dots(version, self._pinned)
         mesh, polygons = self.document.mesh, self.parts.polygons
-        shown = self.positions, self.colors, dots, self.looks, self.cursor
+        ghost = None
+        if self.looks.rest:
+            ghost = self._ghost(0, lambda: rest_ghost(mesh, self.document.diagonal))
+        shown = self.positions, self.colors, dots, self.looks, ghost, self.cursor
         return Scene(mesh, polygons, *shown)
 
     @property

@@ -130,12 +130,12 @@ class Window:
         self._drops = [Path(file) for file in files[:1]]
 
     def close(self) -> None:
-        """End dialogs and the worker, and keep what was not saved."""
-        self._remembered.keep_window()
-        self._dialogs.close()
+        """Keep what was not saved, and end what was begun."""
         self._editor.close()
-        self._studio.close()
         keep_unsaved(self._editor)
+        self._dialogs.close()
+        self._studio.close()
+        self._remembered.keep_window()
 
     def _frame(self) -> None:
         editor, view = self._editor, self._view

@@ -5,6 +5,9 @@ from __future__ import annotations
 import threading
 import time
 from pathlib import Path
+from typing import Literal
+
+import numpy as np
 
 from app.bundled import writable
 from app.editor.editor import Editor
@@ -15,11 +18,12 @@ from app.window.film import Film, Picture, PictureError, check_pictures, save_pi
 from app.window.panel.widgets import WIDTH
 from app.window.scaling import scaled
 from app.window.view import View
+from solver.types import BoolArray, FloatArray
 
 PICTURES = ("picture", "turntable", "record")
 TURN_FRAMES, TURN_SECONDS = 72, 6.0
 PAUSE = 1 / 12  # seconds between two frames of a recording, or more where taking one takes longer:
-SHARE = 0.2  # of the time at most; a drag has the rest
+SHARE = 0.4  # of the time at most; a drag has the rest
 
 
 class Studio:
@@ -30,10 +34,11 @@ class Studio:
         self._view = view
         self._asked = ""
         self._turn: Film | None = None
+        self._middle: FloatArray = np.zeros(3)  # what the turntable turns about
         self._film: Film | None = None
         self._next = 0.0
         self._saving: threading.Thread | None = None
-        self._saved = ""
+        self._saved: tuple[str, Literal["info", "error"]] = "", "info"
 
     @property
     def recording(self) -> float | None:
@@ -48,22 +53,24 @@ class Studio:
         viewpoint = self._editor.viewpoint
         # As far as the cursor would have to be moved: twice the height of the window is one turn.
         way = 2.0 * viewpoint.camera.size[1] * self._turn.count / TURN_FRAMES
-        return orbited(viewpoint.camera, viewpoint.pivot, (way, 0.0), viewpoint.up)
+        return orbited(viewpoint.camera, self._middle, (way, 0.0), viewpoint.up)
 
     def ask(self, name: str) -> None:
         """One of PICTURES; "record" also ends a recording. Raises PictureError."""
         check_pictures()
-        if self._saving is not None and name != "picture":
-            raise PictureError("the last film is still being saved")
         if name == "picture":
             self._asked = name
+        elif name == "record" and self._film is not None:
+            self._end_recording(self._film)
+        elif self._saving is not None or self._turn is not None or self._film is not None:
+            raise PictureError("one film at a time: the last one is not finished yet")
         elif name == "turntable":
+            seen = self._editor.positions[self._seen()]
+            self._middle = 0.5 * (seen.min(axis=0) + seen.max(axis=0))
             self._turn = Film()
-        elif self._film is None:
+        else:
             self._film, self._next = Film(), 0.0
             self._editor.say("Recording; press Stop to save it")
-        else:
-            self._end_recording(self._film)
 
     def work(self) -> None:
         """Once a frame, after it was drawn. Raises SolverError."""
@@ -84,11 +91,13 @@ class Studio:
             self._end_recording(self._film)
         if self._saving is not None:
             self._saving.join()
-            print(self._saved)
+            print(self._saved[0])
 
     def _take_turn(self, film: Film) -> None:
-        film.add(self._picture(), film.count * TURN_SECONDS / TURN_FRAMES)
-        if film.count == TURN_FRAMES:
+        number = film.count
+        film.add(self._picture(), number * TURN_SECONDS / TURN_FRAMES)
+        resized = film.count == number  # the window is: the turn ends where it is
+        if resized or film.count == TURN_FRAMES:
             self._turn = None
             self._save_behind(film, "turntable")
 
@@ -117,20 +126,24 @@ class Studio:
     def _save(self, film: Film, path: Path) -> None:
         try:
             film.save(path)
-            self._saved = f"Saved {path}"
+            self._saved = f"Saved {path}", "info"
         except Exception as error:  # of a thread: nobody else would hear of it
-            self._saved = str(error)
+            self._saved = str(error), "error"
 
     def _tell(self) -> None:
         if self._saving is not None and not self._saving.is_alive():
             self._saving = None
-            self._editor.say(self._saved)
+            self._editor.say(*self._saved)
 
     def _picture(self) -> Picture:
         """The scene beside the panel."""
         pixels = self._view.pixels()
         covered = scaled(WIDTH) / self._editor.viewpoint.camera.size[0]
         return pixels[:, round(covered * pixels.shape[1]) :]
+
+    def _seen(self) -> BoolArray:
+        """(n,) the vertices of what is shown."""
+        return self._editor.parts.visible & (self._editor.document.mesh.pieces >= 0)
 
     def _path(self, ending: str) -> Path:
         mesh = self._editor.document.path

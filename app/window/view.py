@@ -19,6 +19,7 @@ SURFACE, COLORS, DOTS, GHOST = "surface", "colors", "dots", "ghost"
 EDGE_WIDTH, EDGE_COLOR = 0.6, (0.15, 0.15, 0.2)
 DOT_COLOR = (0.96, 0.96, 0.98)
 GHOST_COLOR, GHOST_OPACITY = (0.45, 0.47, 0.52), 0.35
+GHOST_LAYERS = 3  # its front, its back, the surface: each is a pass over the scene
 
 
 class View:
@@ -42,6 +43,7 @@ class View:
         if scene.looks != before.looks:  # setting it to what it is draws the whole scene again
             self._mesh.set_edge_width(scaled(EDGE_WIDTH) if scene.looks.edges else 0.0)
             self._mesh.set_smooth_shade(scene.looks.smooth)
+        if scene.ghost is not before.ghost:
             _haunt(scene)
         self._shown = scene
 
@@ -54,7 +56,7 @@ class View:
         self._mesh.set_edge_color(EDGE_COLOR)
         self._mesh.add_color_quantity(COLORS, scene.colors, enabled=True)
         _place(scene.dots)
-        ps.remove_surface_mesh(GHOST, error_if_absent=False)
+        _haunt(scene)
         return replace(scene, looks=PLAIN)
 
     def look(self, camera: Camera, reach: float | None = None) -> None:
@@ -88,10 +90,13 @@ def _place(dots: Dots | None) -> None:
 
 
 def _haunt(scene: Scene) -> None:
-    """The rest shape seen through, where it is asked for."""
+    """The ghost of this scene in place of the one before."""
     ps.remove_surface_mesh(GHOST, error_if_absent=False)
-    if scene.looks.rest:
-        ghost = ps.register_surface_mesh(GHOST, scene.mesh.vertices, scene.polygons)
+    seen = scene.ghost is not None
+    ps.set_transparency_mode("pretty" if seen else "none")
+    ps.set_transparency_render_passes(GHOST_LAYERS)
+    if seen:
+        ghost = ps.register_surface_mesh(GHOST, scene.ghost, scene.polygons)
         ghost.set_color(GHOST_COLOR)
         ghost.set_material("flat")
         ghost.set_back_face_policy("identical")

@@ -35,6 +35,7 @@ class Scene:
     mesh: another one is another surface, seen afresh.  polygons: those of it that are drawn.
     positions: (n, 3) of its vertices.  colors: (n, 3) RGB in [0, 1] of its vertices.
     dots: what is pinned.  looks: how the surface is drawn.
+    ghost: (n, 3) of its vertices where it is seen through, None where it is not.
     overlay: what is drawn over it.
     """
 
@@ -44,6 +45,7 @@ class Scene:
     colors: FloatArray
     dots: Dots | None = None
     looks: Looks = PLAIN
+    ghost: FloatArray | None = None
     overlay: Overlay = NOTHING
 
 
