@@ -15,6 +15,8 @@ from app.window.shortcuts import SHORTCUTS
 
 __all__ = ["ERROR_COLOR", "WIDTH", "Panel"]
 
+BESIDE = 30.0  # how far the help is from the panel and from the rim of the window
+HELP_WIDTH = 540.0
 LABELS = 110.0  # room for what stands behind a slider
 PLACE = (
     psim.ImGuiWindowFlags_NoTitleBar
@@ -25,8 +27,8 @@ PLACE = (
 )
 HELP = (
     "Paint what stays (2), what you move (3), where it bends (4); then drag (5).",
-    "Left drag beside the surface or with Navigate orbits, right drag pans,",
-    "the wheel zooms. Shift while painting erases.",
+    "Left drag beside the surface or with Navigate orbits, right drag pans, the wheel zooms. "
+    "Shift while painting erases.",
     "Dab soft and stiff spots with the softness brush, then Fill blends the rest.",
 )
 
@@ -66,15 +68,20 @@ class Panel:
         return asked
 
     def _help(self) -> None:
-        psim.SetNextWindowPos((scaled(WIDTH + 30.0), scaled(30.0)), psim.ImGuiCond_FirstUseEver)
+        left, margin = scaled(WIDTH + BESIDE), scaled(BESIDE)
+        width, height = psim.GetIO().DisplaySize
+        psim.SetNextWindowPos((left, margin), psim.ImGuiCond_FirstUseEver)
+        psim.SetNextWindowSizeConstraints((0.0, 0.0), (width - left, height - 2.0 * margin))
         _, self.show_help = psim.Begin("Help", True, psim.ImGuiWindowFlags_AlwaysAutoResize)
         try:
+            psim.PushTextWrapPos(min(width - left - margin, scaled(HELP_WIDTH)))
             for line in HELP:
-                psim.Text(line)
+                psim.TextWrapped(line)
             psim.Separator()
             for shortcut in SHORTCUTS:
                 psim.Text(shortcut.keys)
                 psim.SameLine(scaled(130.0))
-                psim.Text(shortcut.meaning)
+                psim.TextWrapped(shortcut.meaning)
+            psim.PopTextWrapPos()
         finally:
             psim.End()
