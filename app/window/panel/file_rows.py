@@ -11,9 +11,11 @@ from app.editor.editor import Editor
 from app.editor.file_actions import default_export_path, default_session_path, open_command
 from app.window.file_dialogs import FileDialogs
 from app.window.panel.widgets import REST_OF_LINE, disabled, shares, shortened
+from app.window.scaling import scaled
 from app.window.shortcuts import WindowAction
 
 PATH_FIELD = psim.ImGuiInputTextFlags_EnterReturnsTrue | psim.ImGuiInputTextFlags_AutoSelectAll
+RECENT_WIDTH = 420.0  # of the list, which may be wider than the panel
 # Each does it where it was done before, or asks; the second always asks.
 BUTTONS = (("Save session", "Save as...", "save"), ("Export mesh", "Export as...", "export"))
 
@@ -85,7 +87,7 @@ def _recent(editor: Editor, asked: list[c.Command]) -> None:
         if not psim.BeginCombo("##recent", "Recent"):
             return
         for number, path in enumerate(paths):
-            name = shortened(f"{path.parent.name}/{path.name}", psim.GetContentRegionAvail()[0])
+            name = shortened(f"{path.parent.name}/{path.name}", scaled(RECENT_WIDTH))
             if psim.Selectable(f"{name}##{number}"):
                 asked.append(open_command(path))
             psim.SetItemTooltip(str(path))
