@@ -14,6 +14,7 @@ from solver.errors import SolverError
 from solver.mesh.formats.table import FORMATS
 
 USAGE_ERROR = 2
+SESSION_SUFFIX = ".json"
 COMMAND = "surface-deformation"
 PROGRAM = COMMAND if Path(sys.argv[0]).stem == COMMAND else "python -m app"
 WINDOW_HELP = """\
@@ -52,17 +53,22 @@ def _window(arguments: Sequence[str]) -> None:
         epilog=WINDOW_HELP,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    mesh_help = f"a mesh file ({', '.join(FORMATS)})"
-    parser.add_argument("mesh", nargs="?", type=Path, metavar="MESH", help=mesh_help)
-    parser.add_argument("--session", type=Path, metavar="FILE", help="a session file (.json)")
+    file_help = f"a mesh file ({', '.join(FORMATS)}) or a session file (.json)"
+    parser.add_argument("file", nargs="?", type=Path, metavar="MESH | SESSION", help=file_help)
+    parser.add_argument("--session", type=Path, metavar="FILE", help="a session file, on MESH")
     parser.add_argument("--export", type=Path, metavar="FILE", help="where Ctrl+E saves the mesh")
     options = parser.parse_args(arguments)
-    if options.mesh is None and options.session is None:
-        options.session = DEFAULT_SESSION
+    mesh, session = options.file, options.session
+    if mesh is not None and mesh.suffix.lower() == SESSION_SUFFIX:
+        if session is not None:
+            parser.error(f"{mesh} and {session} are two sessions, expected a mesh and a session")
+        mesh, session = None, mesh
+    if mesh is None and session is None:
+        session = DEFAULT_SESSION
     # Polyscope is loaded here, so that the commands without a window need no graphics library.
     with loading():
         from app.window.main import run_window
-    run_window(options.mesh, options.session, options.export)
+    run_window(mesh, session, options.export)
 
 
 def _deform(arguments: Sequence[str]) -> None:

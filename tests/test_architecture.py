@@ -30,7 +30,7 @@ LAYERS = (
     "app.viewpoint",
     "app.workspace",
     "app.tools",
-    "app.editor",
+    "app.editor app.dialogs",
     "app.window",
     "app.headless app.figures app.demo",
     "app.__main__",

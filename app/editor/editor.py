@@ -13,6 +13,7 @@ from app.tools.table import TOOLS
 from app.viewpoint.events import Input
 from app.viewpoint.viewpoint import Motion
 from app.workspace.color_maps import MAPS
+from app.workspace.ghost import ghost as rest_ghost
 from app.workspace.latest import Latest
 from app.workspace.overlay import NOTHING, Overlay
 from app.workspace.regions import Borders, border_lines
@@ -44,6 +45,7 @@ class Editor(Workspace):
         self._borders: Borders | None = None
         self._lines: Latest[Lines | None] = Latest()
         self._dot_radius = dot_radius(document.mesh.vertices, self.neighbours.edges)
+        self._ghost: Latest[FloatArray] = Latest()
         self._warnings: Latest[tuple[Warning, ...]] = Latest()
         self._left: Motion | None = None  # what the button that is down does to the camera
 
@@ -101,20 +103,30 @@ class Editor(Workspace):
         """Whether there are changes that no session file holds."""
         return self.history.dirty
 
-    def scene(self, edges: bool = False, rest: bool = False) -> Scene:
-        """What is to be drawn now; edges: whether those of the mesh are.
+    def scene(self, rest: bool = False) -> Scene:
+        """What is to be drawn now.
 
         rest: the rest shape in place of the surface, and no cursor on it.
         """
-        mesh, polygons = self.document.mesh, self.parts.polygons
-        positions = self.document.rest_positions if rest else self.positions
+        document, mesh, polygons = self.document, self.document.mesh, self.parts.polygons
+        positions = document.rest_positions if rest else self.positions
         dots = None
         if MAPS[self.map].pins:
-            revision = self.document.revision["pinned"]
+            revision = document.revision["pinned"]
             version = revision, self.positions_version, self.parts.hidden, rest
             dots = self._dots(version, lambda: self._pinned(positions))
+        ghost = self._seen_through() if self.looks.rest and not rest else None
         overlay, lines = (NOTHING, None) if rest else (self.cursor, self._border_lines())
-        return Scene(mesh, polygons, positions, self.colors, dots, edges, lines, overlay)
+        shown = positions, self.colors, dots, self.looks, ghost, lines, overlay
+        return Scene(mesh, polygons, *shown)
+
+    def _seen_through(self) -> FloatArray:
+        """The rest shape as a ghost."""
+        document = self.document
+        return self._ghost(
+            document.revision["rest"],
+            lambda: rest_ghost(document.rest_positions, document.mesh.faces, document.diagonal),
+        )
 
     @property
     def colors(self) -> FloatArray:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
-from app.bundled import writable
+from app.bundled import ASSETS, writable
 from app.editor import commands as c
 from app.editor.action import Actions
 from app.model.document import Document
@@ -12,16 +14,19 @@ from app.model.session import read_session, to_document, write_session
 from app.model.settings import affordable_level
 from app.workspace.workspace import Workspace
 from solver import load_mesh
+from solver.errors import SolverError
 from solver.mesh.progress import Progress
 
 
 def open_mesh(work: Workspace, command: c.OpenMesh) -> None:
-    work.adopt(load_document(command.path, None, work.progress))
+    with _recent(work, command.path):
+        work.adopt(load_document(command.path, None, work.progress))
     _announce(work, command.path)
 
 
 def open_session(work: Workspace, command: c.OpenSession) -> None:
-    work.adopt(load_document(None, command.path, work.progress), command.path)
+    with _recent(work, command.path):
+        work.adopt(load_document(None, command.path, work.progress), command.path)
     _announce(work, command.path)
 
 
@@ -50,7 +55,8 @@ def open_command(path: Path) -> c.OpenMesh | c.OpenSession:
 def save_session(work: Workspace, command: c.SaveSession) -> None:
     path = command.path or default_session_path(work)
     spare_mesh(work, path)
-    write_session(path, work.document)
+    with _recent(work, path):
+        write_session(path, work.document)
     work.session_path = path
     work.history.mark_saved()
     work.say(f"Saved {path}")
@@ -60,7 +66,8 @@ def export(work: Workspace, command: c.Export) -> None:
     path = command.path or default_export_path(work)
     spare_mesh(work, path)
     work.surface.settle(work.document)
-    work.document.mesh.save(path, work.positions, progress=work.progress)
+    with _recent(work, path):
+        work.document.mesh.save(path, work.positions, progress=work.progress)
     work.say(f"Exported {path}")
 
 
@@ -77,6 +84,19 @@ def default_export_path(work: Workspace) -> Path:
     mesh = work.document.path
     suffix = ".obj" if work.document.mesh.source is None else mesh.suffix
     return work.export_path or writable(mesh.with_name(f"{mesh.stem}-deformed{suffix}"))
+
+
+@contextmanager
+def _recent(work: Workspace, path: Path) -> Iterator[None]:
+    """A file that could be used is among the recent ones, one that is gone no longer is."""
+    try:
+        yield
+    except (SolverError, OSError):
+        if not path.exists():
+            work.recent.drop(path)
+        raise
+    if not path.resolve().is_relative_to(ASSETS):
+        work.recent.add(path)
 
 
 def _announce(work: Workspace, path: Path) -> None:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import itertools
 import sys
 
 from app.editor.editor import Editor
 from app.editor.file_actions import default_session_path
+from app.model.free_path import free_path
 from app.model.session import write_session
 from solver.errors import SolverError
 
@@ -16,9 +16,7 @@ def keep_unsaved(editor: Editor) -> None:
     if not editor.dirty:
         return
     session = default_session_path(editor)
-    numbers = itertools.chain([""], (f"-{number}" for number in itertools.count(2)))
-    paths = (session.with_name(f"{session.stem}-unsaved{number}.json") for number in numbers)
-    spare = next(path for path in paths if not path.exists())
+    spare = free_path(session.with_name(f"{session.stem}-unsaved.json"))
     try:
         write_session(spare, editor.document)
     except SolverError as error:

@@ -11,20 +11,29 @@ from pathlib import Path
 
 import polyscope as ps
 
+from app.dialogs.dialogs import Dialogs
+from app.dialogs.programs import find_program
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.editor.file_actions import load_document, open_command
 from app.editor.unsaved import keep_unsaved
+from app.model.preferences import PreferencesFile, preferences_path
 from app.viewpoint.camera import Camera
+from app.window.file_dialogs import FileDialogs
 from app.window.messages import Messages, overlay
 from app.window.mouse_and_keys import read_mouse, read_shortcuts
-from app.window.opening import open_window
 from app.window.overlay import draw_overlay
 from app.window.panel import WIDTH, Panel
+from app.window.panel.file_rows import FileRows
+from app.window.panel.looking import LookingRows
 from app.window.progress_frames import ProgressFrames
-from app.window.shortcuts import WindowAction
+from app.window.remembered import Remembered
+from app.window.scaling import scaled
+from app.window.shortcuts import SetInterface, WindowAction
+from app.window.studio import PICTURES, Studio
 from app.window.view import View
 from app.worker.client import ProcessWorker, Worker
+from solver.errors import SolverError
 
 FRAME_SECONDS = 1 / 60
 
@@ -43,12 +52,16 @@ def run_window(mesh: Path | None, session: Path | None, export: Path | None) -> 
 
 
 def _run(worker: Worker, mesh: Path | None, session: Path | None, export: Path | None) -> None:
-    open_window()
+    remembered = Remembered(PreferencesFile(preferences_path()))
+    remembered.open_window()
     ps.set_user_callback(lambda: overlay("loading", "Loading ..."))
     for _ in range(2):  # the first frame of a window may come before it is shown
         ps.frame_tick()
     told = ProgressFrames(c.OpenMesh.notice, lambda: None)
-    window = Window(Editor(load_document(mesh, session, told), worker, session, export))
+    editor = Editor(load_document(mesh, session, told), worker, session, export)
+    if editor.document.handles:  # everything is ready for it
+        editor.execute(c.SetTool("drag"))
+    window = Window(editor, remembered)
     ps.set_user_callback(window.frame)
     ps.set_files_dropped_callback(window.drop)
     try:
@@ -69,11 +82,15 @@ def _loop(window: Window) -> None:
 class Window:
     """Connects input, panel, editor and view, once a frame."""
 
-    def __init__(self, editor: Editor) -> None:
+    def __init__(self, editor: Editor, remembered: Remembered) -> None:
         self._editor = editor
+        self._remembered = remembered
         self._view = View()
         self._looked: Camera | None = None
-        self._panel = Panel()
+        self._studio = Studio(editor, self._view)
+        program = find_program() if remembered.file.values.dialogs else None
+        self._dialogs = FileDialogs(Dialogs(program))
+        self._panel = Panel(FileRows(self._dialogs), LookingRows(self._studio, remembered.file))
         self._messages = Messages()
         self._waiting: list[c.Command] = []
         self._told = ProgressFrames("", lambda: self._panel.draw(editor))
@@ -81,6 +98,7 @@ class Window:
         self._drops: list[Path] = []
         self._rest = False  # whether this frame shows the rest shape
         self._document = editor.document.serial
+        remembered.attach(editor)
 
     def frame(self) -> None:
         """One frame."""
@@ -95,12 +113,16 @@ class Window:
             with self._telling():
                 self._execute(command)
             ps.set_user_callback(self.frame)
+        with self._telling():
+            self._studio.work()
 
     @contextmanager
     def _telling(self) -> Iterator[None]:
         """Whatever goes wrong becomes a message: an exception would end the window."""
         try:
             yield
+        except (SolverError, OSError) as error:
+            self._editor.say(str(error), "error")
         except Exception as error:
             traceback.print_exc()
             self._editor.say(f"Internal error: {error}", "error")
@@ -110,33 +132,48 @@ class Window:
         self._drops = [Path(file) for file in files[:1]]
 
     def close(self) -> None:
-        """End the worker and keep what was not saved."""
+        """Keep what was not saved, and end what was begun."""
         self._editor.close()
         keep_unsaved(self._editor)
+        self._dialogs.close()
+        self._studio.close()
+        self._remembered.keep_window()
 
     def _frame(self) -> None:
         editor, view = self._editor, self._view
-        editor.viewpoint.fit(ps.get_window_size(), WIDTH)
+        editor.viewpoint.fit(ps.get_window_size(), scaled(WIDTH))
         asked = [*read_shortcuts(editor.brush), *self._panel.draw(editor)]
         asked += [open_command(path) for path in self._drops]
         self._drops = []
         self._rest = False
+        asked += self._answered()
         for command in asked:
             self._do(command)
         mouse = read_mouse(editor.viewpoint.camera)
         # Nobody can paint or drag what is not seen: the mouse is the camera's meanwhile.
         editor.step(replace(mouse, alt=True) if self._rest else mouse)
-        if self._looked is not editor.viewpoint.camera:
-            self._looked = editor.viewpoint.camera
+        camera = self._studio.turning or editor.viewpoint.camera
+        if self._looked is not camera:
+            self._looked = camera
             view.look(self._looked, editor.viewpoint.reach)
-        scene = editor.scene(self._panel.show_edges, self._rest)
+        scene = editor.scene(self._rest)
         view.show(scene)
-        draw_overlay(scene.overlay, editor.viewpoint.camera)
+        draw_overlay(scene.overlay, camera)
         self._overlay()
+
+    def _answered(self) -> list[c.Command]:
+        """What the dialog that was open asks for, once it was answered."""
+        with self._telling():
+            command = self._dialogs.poll()
+            return [command] if command is not None else []
+        return []
 
     def _do(self, command: c.Command) -> None:
         if isinstance(command, WindowAction):
-            self._act(command.name)
+            with self._telling():
+                self._act(command.name)
+        elif isinstance(command, SetInterface):
+            self._remembered.set_interface(command.scale)
         elif command.notice:
             self._waiting.append(command)
         else:
@@ -149,14 +186,20 @@ class Window:
         if self._document != self._editor.document.serial:
             self._document = self._editor.document.serial
             self._panel.file_rows.forget()
+            self._dialogs.forget()
 
     def _act(self, name: str) -> None:
+        """Raises SolverError."""
         if name == "help":
             self._panel.show_help = not self._panel.show_help
         elif name == "rest":
             self._rest = True
-        else:
+        elif name in PICTURES:
+            self._studio.ask(name)
+        elif not self._dialogs.available:
             self._panel.file_rows.use(name)
+        elif (command := self._dialogs.act(name, self._editor)) is not None:
+            self._do(command)
 
     def _overlay(self) -> None:
         """What is about to take its time, else the last message."""

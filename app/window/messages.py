@@ -7,6 +7,7 @@ import time
 import polyscope.imgui as psim
 
 from app.window.panel.widgets import ERROR_COLOR, WIDTH
+from app.window.scaling import scaled
 from app.workspace.workspace import Message
 
 BAR_WIDTH = 240.0
@@ -43,17 +44,18 @@ def overlay(name: str, text: str, error: bool = False, fraction: float | None = 
     fraction: of a bar below that shows how far something is, None without one.
     """
     width, height = psim.GetIO().DisplaySize
-    psim.SetNextWindowPos((0.5 * (width + WIDTH), height - 30.0), 0, (0.5, 1.0))
+    panel = scaled(WIDTH)
+    psim.SetNextWindowPos((0.5 * (width + panel), height - scaled(30.0)), 0, (0.5, 1.0))
     psim.SetNextWindowBgAlpha(0.9)
     psim.Begin(f"##{name}", PLACE)
-    psim.PushTextWrapPos(max(width - WIDTH - 60.0, 100.0))
+    psim.PushTextWrapPos(max(width - panel - scaled(60.0), scaled(100.0)))
     try:
         if error:
             psim.TextColored(ERROR_COLOR, text)
         else:
             psim.Text(text)
         if fraction is not None:
-            psim.ProgressBar(fraction, (BAR_WIDTH, 0.0))
+            psim.ProgressBar(fraction, (scaled(BAR_WIDTH), 0.0))
     finally:
         psim.PopTextWrapPos()
         psim.End()

@@ -8,6 +8,7 @@ import polyscope.imgui as psim
 
 from app.graphics import GraphicsError
 from app.viewpoint.camera import FIELD_OF_VIEW
+from app.window.scaling import scaled, set_scale
 
 TITLE = "Surface deformation"
 BACKGROUND = (0.74, 0.75, 0.78)  # before Polyscope's tone mapping, which brightens it
@@ -27,12 +28,43 @@ PALETTE = {
     "CheckMark": (0.5, 0.75, 1.0, 1.0),
     "Separator": (0.26, 0.29, 0.35, 1.0),
     "TitleBgActive": (0.2, 0.22, 0.27, 1.0),
+    "Header": (0.17, 0.185, 0.225, 1.0),
+    "HeaderHovered": (0.22, 0.245, 0.3, 1.0),
+    "HeaderActive": (0.26, 0.29, 0.36, 1.0),
+    "ScrollbarBg": (0.0, 0.0, 0.0, 0.0),
+    "ScrollbarGrab": (0.26, 0.29, 0.35, 1.0),
+}
+SIZE = (1280, 800)
+LARGEST_AT_FIRST = 1.5  # times that size: where more is asked for, the screen may have no room
+FONT_SIZE = 18.0
+# All that has a length: Polyscope keeps the style, so that nothing may be scaled twice.
+MEASURES: dict[str, float | tuple[float, float]] = {
+    "FramePadding": (6.0, 2.0),
+    "ItemSpacing": (6.0, 3.0),
+    "ItemInnerSpacing": (4.0, 4.0),
+    "WindowPadding": (10.0, 8.0),
+    "IndentSpacing": 21.0,
+    "FrameRounding": 4.0,
+    "GrabRounding": 4.0,
+    "GrabMinSize": 12.0,
+    "ScrollbarSize": 10.0,
+    "ScrollbarRounding": 5.0,
 }
 
 
-def open_window() -> None:
-    """A window on the screen. Raises GraphicsError where there is none."""
-    _start(("openGL3_glfw",), (1280, 800))
+def open_window(scale: float | None = None, size: tuple[int, int] | None = None) -> float:
+    """A window on the screen. Raises GraphicsError where there is none.
+
+    scale: how large the interface is drawn, None as the screen asks.
+    size: of the window, None for one that suits the interface.
+    Returns what the screen asks for.
+    """
+    _start(("openGL3_glfw",), size or SIZE)
+    asked = ps.get_ui_scale()
+    if size is None:
+        ps.set_window_size(*(round(min(asked, LARGEST_AT_FIRST) * length) for length in SIZE))
+    set_scale(asked if scale is None else scale)
+    return asked
 
 
 def open_offscreen(size: tuple[int, int]) -> None:
@@ -73,10 +105,12 @@ def _init(backends: tuple[str, ...]) -> None:
 
 
 def _style() -> None:
-    """A quiet dark panel, dense enough that nothing needs scrolling at 800 pixels."""
+    """A quiet dark panel, dense, as large as the interface is to be."""
     style = psim.GetStyle()
-    style.FramePadding, style.ItemSpacing, style.WindowPadding = (6.0, 2.0), (6.0, 3.0), (10.0, 8.0)
-    style.FrameRounding = style.GrabRounding = 4.0
+    for name, measure in MEASURES.items():
+        pixels = tuple(map(scaled, measure)) if isinstance(measure, tuple) else scaled(measure)
+        setattr(style, name, pixels)
+    style.FontSizeBase, style.FontScaleMain = FONT_SIZE, scaled(1.0)
     style.WindowBorderSize = 0.0
     for name, color in PALETTE.items():
         style.Colors[getattr(psim, f"ImGuiCol_{name}")] = color

@@ -6,6 +6,7 @@ import numpy as np
 import polyscope.imgui as psim
 
 from app.viewpoint.camera import Camera
+from app.window.scaling import scaled
 from app.workspace.overlay import Label, Outline, Overlay
 
 # A line is bright on a wider dark one, so that it is seen on every colour.
@@ -30,13 +31,14 @@ def _lines(outline: Outline, camera: Camera) -> None:
     for color, width in ((DARK, DARK_WIDTH), ((*outline.color, 255), BRIGHT_WIDTH)):
         packed = psim.IM_COL32(*color)
         for start, end in ends:
-            draw.AddLine(start, end, packed, width)
+            draw.AddLine(start, end, packed, scaled(width))
 
 
 def _label(label: Label) -> None:
-    x, y = label.pixel[0] + BESIDE[0], label.pixel[1] + BESIDE[1]
+    x, y = label.pixel[0] + scaled(BESIDE[0]), label.pixel[1] + scaled(BESIDE[1])
     width, height = psim.CalcTextSize(label.text)
     draw = psim.GetBackgroundDrawList()
-    low, high = (x - MARGIN, y - MARGIN), (x + width + MARGIN, y + height + MARGIN)
-    draw.AddRectFilled(low, high, psim.IM_COL32(*DARK), MARGIN)
+    margin = scaled(MARGIN)
+    low, high = (x - margin, y - margin), (x + width + margin, y + height + margin)
+    draw.AddRectFilled(low, high, psim.IM_COL32(*DARK), margin)
     draw.AddText((x, y), psim.IM_COL32(240, 240, 245, 255), label.text)

@@ -16,9 +16,16 @@ RADIUS_STEP = 1.15
 
 @dataclass(frozen=True)
 class WindowAction(c.Command):
-    """Something the window does by itself: "help", "rest", or a row of the panel's files."""
+    """Something the window does by itself: "help", "rest", a dialog or row of files, a picture."""
 
     name: str
+
+
+@dataclass(frozen=True)
+class SetInterface(c.Command):
+    """How large the interface is drawn. None: as the screen asks."""
+
+    scale: float | None
 
 
 @dataclass(frozen=True)

@@ -8,13 +8,18 @@ from typing import Any
 
 import numpy as np
 import polyscope as ps
+from numpy.typing import NDArray
 
 from app.viewpoint.camera import Camera
+from app.window.scaling import scaled
+from app.workspace.looks import PLAIN
 from app.workspace.scene import Dots, Lines, Scene
 
-SURFACE, COLORS, DOTS, LINES = "surface", "colors", "dots", "lines"
+SURFACE, COLORS, DOTS, LINES, GHOST = "surface", "colors", "dots", "lines", "ghost"
 EDGE_WIDTH, EDGE_COLOR = 0.6, (0.15, 0.15, 0.2)
 DOT_COLOR = (0.96, 0.96, 0.98)
+GHOST_COLOR, GHOST_OPACITY = (0.45, 0.47, 0.52), 0.35
+GHOST_LAYERS = 3  # its front, its back, the surface: each is a pass over the scene
 
 
 class View:
@@ -37,8 +42,11 @@ class View:
             _place(scene.dots)
         if scene.lines is not before.lines:
             _thread(scene.lines, before.lines)
-        if scene.edges != before.edges:  # setting it to what it is draws the whole scene again
-            self._mesh.set_edge_width(EDGE_WIDTH if scene.edges else 0.0)
+        if scene.looks != before.looks:  # setting it to what it is draws the whole scene again
+            self._mesh.set_edge_width(scaled(EDGE_WIDTH) if scene.looks.edges else 0.0)
+            self._mesh.set_smooth_shade(scene.looks.smooth)
+        if scene.ghost is not before.ghost:
+            _haunt(scene)
         self._shown = scene
 
     def _register(self, scene: Scene) -> Scene:
@@ -51,7 +59,8 @@ class View:
         self._mesh.add_color_quantity(COLORS, scene.colors, enabled=True)
         _place(scene.dots)
         _thread(scene.lines, None)
-        return replace(scene, edges=False)
+        _haunt(scene)
+        return replace(scene, looks=PLAIN)
 
     def look(self, camera: Camera, reach: float | None = None) -> None:
         """See what `camera` sees; the field of view stays.
@@ -65,6 +74,10 @@ class View:
         matrix = np.eye(4)
         matrix[:3, :3], matrix[:3, 3] = axes, -axes @ camera.position
         ps.set_camera_view_matrix(matrix)
+
+    def pixels(self) -> NDArray[np.uint8]:
+        """What the camera sees, without the panel and what is drawn over the scene, (h, w, 3)."""
+        return np.ascontiguousarray(ps.screenshot_to_buffer(transparent_bg=False)[..., :3])
 
     def picture(self, path: Path, transparent: bool = False) -> None:
         """Save what the camera sees, without the panel, as a PNG. Raises FileError."""
@@ -94,3 +107,17 @@ def _thread(lines: Lines | None, before: Lines | None) -> None:
         network.add_color_quantity(COLORS, lines.colors, defined_on="edges", enabled=True)
     if before is None or lines.radius != before.radius:
         network.set_radius(lines.radius, relative=False)
+
+
+def _haunt(scene: Scene) -> None:
+    """The ghost of this scene in place of the one before."""
+    ps.remove_surface_mesh(GHOST, error_if_absent=False)
+    seen = scene.ghost is not None
+    ps.set_transparency_mode("pretty" if seen else "none")
+    ps.set_transparency_render_passes(GHOST_LAYERS)
+    if seen:
+        ghost = ps.register_surface_mesh(GHOST, scene.ghost, scene.polygons)
+        ghost.set_color(GHOST_COLOR)
+        ghost.set_material("flat")
+        ghost.set_back_face_policy("identical")
+        ghost.set_transparency(GHOST_OPACITY)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.workspace.looks import PLAIN, Looks
 from app.workspace.overlay import NOTHING, Overlay
 from solver.mesh.mesh import Mesh
 from solver.types import FloatArray, IntArray
@@ -46,7 +47,8 @@ class Scene:
 
     mesh: another one is another surface, seen afresh.  polygons: those of it that are drawn.
     positions: (n, 3) of its vertices.  colors: (n, 3) RGB in [0, 1] of its vertices.
-    dots: what is pinned.  edges: whether the edges of the polygons are drawn.
+    dots: what is pinned.  looks: how the surface is drawn.
+    ghost: (n, 3) of its vertices where it is seen through, None where it is not.
     lines: the borders of what is held.  overlay: what is drawn over it.
     """
 
@@ -55,7 +57,8 @@ class Scene:
     positions: FloatArray
     colors: FloatArray
     dots: Dots | None = None
-    edges: bool = False
+    looks: Looks = PLAIN
+    ghost: FloatArray | None = None
     lines: Lines | None = None
     overlay: Overlay = NOTHING
 

@@ -23,8 +23,10 @@ from app.workspace.brush import Brush, Neighbours
 from app.workspace.heat import Heat
 from app.workspace.latest import Latest
 from app.workspace.live_surface import LiveSurface
+from app.workspace.looks import PLAIN, Looks
 from app.workspace.parts import Parts
 from app.workspace.picking import Hit, Picker
+from app.workspace.recent import Recent
 from app.workspace.regions import Regions
 from app.workspace.symmetry import Symmetry
 from solver.mesh.progress import Progress
@@ -63,6 +65,7 @@ class Workspace:
 
     tool: a name in tools.TOOLS.  map: a name in color_maps.MAPS.  turn: dragged handles turn by
     themselves.  keep: what was grabbed stays where it was taken.  blend: of two poses.
+    looks: how the surface is drawn.  recent: the files opened or saved last.
     symmetry: the mirror across which all happens twice, None for none.
     message: the last one, None before the first.  interaction: the stroke or drag in progress.
     progress: what is told how far reading and saving are.  viewpoint: where the person looks from.
@@ -84,10 +87,12 @@ class Workspace:
         self.turn = True
         self.keep = False
         self.map = "roles"
+        self.looks: Looks = PLAIN
         self.message: Message | None = None
         self.progress: Progress | None = None
         self.viewpoint = Viewpoint()
         self.written: dict[Path, FileState] = {}
+        self.recent = Recent()
         self.adopt(document, session_path)
 
     def adopt(self, document: Document, session_path: Path | None = None) -> None:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from app.__main__ import main
+from app.bundled import DEFAULT_SESSION
 from solver import Deformer, Material, load_mesh
 from tests.app.command import (
     FIXED,
@@ -125,6 +128,27 @@ def test_help_is_no_error(capsys: pytest.CaptureFixture[str]) -> None:
             main(words)
         assert end.value.code == 0
         assert capsys.readouterr().out.startswith("usage: python -m app")
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        ([], (None, DEFAULT_SESSION, None)),
+        (["bar.obj"], (Path("bar.obj"), None, None)),
+        (["bar.JSON"], (None, Path("bar.JSON"), None)),
+        (["--session", "bar.json"], (None, Path("bar.json"), None)),
+        (["a.obj", "--session", "bar.json"], (Path("a.obj"), Path("bar.json"), None)),
+        (["bar.json", "--export", "a.obj"], (None, Path("bar.json"), Path("a.obj"))),
+    ],
+)
+def test_a_window_opens_a_mesh_or_a_session(
+    words: list[str], expected: tuple[object, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[tuple[object, ...]] = []
+    window = SimpleNamespace(run_window=lambda *arguments: opened.append(arguments))
+    monkeypatch.setitem(sys.modules, "app.window.main", window)
+    assert main(words) == 0
+    assert opened == [expected]
 
 
 @pytest.mark.parametrize("exact", [False, True])

@@ -144,6 +144,10 @@ DEFORM = ("deform", "bar.obj", "--session", "bar.json")
         (("--nonsense",), "unrecognized arguments: --nonsense"),
         (("bar.obj", "bar.obj"), "unrecognized arguments"),
         (("--session",), "--session: expected one argument"),
+        (
+            ("bar.json", "--session", "a.json"),
+            "bar.json and a.json are two sessions, expected a mesh",
+        ),
     ],
 )
 def test_a_wrong_command_is_one_line(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -44,8 +45,12 @@ class Person:
     ) -> None:
         self._display = display
         self._log = folder / "output.txt"
+        preferences = folder / "preferences"  # of nobody: no test knows of another
+        if not preferences.exists():
+            preferences.write_text(json.dumps({"dialogs": False}))
         self._environment = os.environ | {
             "DISPLAY": display.name,
+            "SURFACE_DEFORMATION_PREFERENCES": str(preferences),
             "LIBGL_ALWAYS_SOFTWARE": "1",
             "PYTHONPATH": str(ROOT),
             "XDG_SESSION_TYPE": "x11",

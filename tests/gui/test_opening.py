@@ -16,6 +16,7 @@ from app.editor.unsaved import keep_unsaved
 from tests.app.person import Person as Hand
 from tests.app.person import slab
 
+from .conftest import Opener
 from .display import VirtualDisplay
 from .person import ROOT, wait_until
 from .scene import Scene
@@ -62,6 +63,19 @@ def test_unsaved_work_is_kept_on_closing(plate: Scene, tmp_path: Path) -> None:
     assert kept["mesh"] == saved["mesh"]
     assert json.loads(scene.session.read_text()) == saved
     assert "plate-unsaved.json" in person.output()
+
+
+def test_preferences_that_cannot_be_read_are_in_nobodys_way(
+    open_window: Opener, tmp_path: Path
+) -> None:
+    (tmp_path / "preferences").write_text("{ window:")
+    person = open_window()
+    assert person.quit() == 0
+    (line,) = person.output().splitlines()
+    assert re.search(
+        r"preferences are ignored, .*preferences: line 1, column 3: expected JSON", line
+    )
+    assert (tmp_path / "preferences").read_text() == "{ window:"
 
 
 def test_nothing_is_left_behind_where_nothing_was_done(plate: Scene, tmp_path: Path) -> None:

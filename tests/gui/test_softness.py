@@ -11,9 +11,9 @@ from .scene import Scene
 
 LEFT, MIDDLE, RIGHT = (3.0, 4.0, 0.0), (10.0, 4.0, 0.0), (17.0, 4.0, 0.0)
 # Where things stand in the panel, in pixels from its top left.
-TO_ZERO = [(120, 249), (12, 249)]  # along the slider for the softness brush's value
+TO_ZERO = [(120, 246), (12, 246)]  # along the slider for the softness brush's value
 FILL, FILL_ROWS = 25, range(260, 340, 10)
-MAP, AREA = (100, 523), (60, 636)  # the drag tool in the hand, two regions and one handle listed
+MAP, AREA = (100, 492), (60, 605)  # the drag tool in the hand, two regions and one handle listed
 
 
 def fill(scene: Scene) -> None:

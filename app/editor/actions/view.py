@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from app.editor import commands as c
@@ -40,6 +42,11 @@ def set_up(work: Workspace, command: c.SetUp) -> None:
     work.viewpoint.view_from("front", work.positions[_all(work)])
 
 
+def set_looks(work: Workspace, command: c.SetLooks) -> None:
+    changes = {name: on for name, on in vars(command).items() if on is not None}
+    work.looks = replace(work.looks, **changes)
+
+
 def _selected(work: Workspace) -> IntArray:
     """The vertices of the active handle, else of the part under the cursor, else all."""
     active = work.active
@@ -62,4 +69,5 @@ VIEW_ACTIONS: Actions = {
     c.FrameVertices: frame_vertices,
     c.ViewFrom: view_from,
     c.SetUp: set_up,
+    c.SetLooks: set_looks,
 }

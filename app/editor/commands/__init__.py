@@ -31,7 +31,7 @@ from app.editor.commands.regions import (
 from app.editor.commands.settings import SetMaterial, SetSetting
 from app.editor.commands.softness import ClearPins, ClearSoftness, FillSoftness, SmoothSoftness
 from app.editor.commands.symmetry import MirrorPose, MirrorRegions, SetSymmetry, ToggleSymmetry
-from app.editor.commands.view import FrameSelected, FrameVertices, SetUp, ViewFrom
+from app.editor.commands.view import FrameSelected, FrameVertices, SetLooks, SetUp, ViewFrom
 
 __all__ = [
     "ActivateHandle",
@@ -71,6 +71,7 @@ __all__ = [
     "SetBrush",
     "SetFollows",
     "SetKeep",
+    "SetLooks",
     "SetMap",
     "SetMaterial",
     "SetSetting",

@@ -40,3 +40,13 @@ class SetUp(Command):
 
     interrupts: ClassVar[bool] = False
     name: str
+
+
+@dataclass(frozen=True)
+class SetLooks(Command):
+    """Change how the surface is drawn: what is not None of workspace.looks.Looks."""
+
+    interrupts: ClassVar[bool] = False
+    edges: bool | None = None
+    smooth: bool | None = None
+    rest: bool | None = None

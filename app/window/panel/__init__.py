@@ -6,30 +6,18 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.window.panel.colours import colours
 from app.window.panel.file_rows import FileRows
-from app.window.panel.parts import parts
-from app.window.panel.poses import poses
-from app.window.panel.regions import regions
-from app.window.panel.settings import pose, soft_parts, softness_warnings
-from app.window.panel.status import status
-from app.window.panel.tools import choose_tool, tool_options
-from app.window.panel.widgets import ERROR_COLOR, WIDTH
+from app.window.panel.looking import LookingRows
+from app.window.panel.sections import ROOMY, SECTIONS, Section, draw_section
+from app.window.panel.widgets import CONTENT_WIDTH, ERROR_COLOR, WIDTH
+from app.window.scaling import scaled
 from app.window.shortcuts import SHORTCUTS
 
 __all__ = ["ERROR_COLOR", "WIDTH", "Panel"]
 
-SECTIONS = (
-    status,
-    choose_tool,
-    tool_options,
-    regions,
-    parts,
-    soft_parts,
-    softness_warnings,
-    pose,
-    poses,
-)
+BESIDE = 30.0  # how far the help is from the panel and from the rim of the window
+HELP_WIDTH = 540.0
+LABELS = 110.0  # room for what stands behind a slider
 PLACE = (
     psim.ImGuiWindowFlags_NoTitleBar
     | psim.ImGuiWindowFlags_NoResize
@@ -39,36 +27,39 @@ PLACE = (
 )
 HELP = (
     "Paint what stays (2), what you move (3), where it bends (4); then drag (5).",
-    "Left drag beside the surface or with Navigate orbits, right drag pans,",
-    "the wheel zooms. Shift while painting erases.",
+    "Left drag beside the surface or with Navigate orbits, right drag pans, the wheel zooms. "
+    "Shift while painting erases.",
     "Dab soft and stiff spots with the softness brush, then Fill blends the rest.",
 )
 
 
 class Panel:
-    """Holds nothing but switches of the window itself: show_edges, show_help.
+    """Holds nothing but a switch of the window itself: show_help.
 
     file_rows: the rows that open and save.
     """
 
-    def __init__(self) -> None:
-        self.show_edges = False
+    def __init__(self, file_rows: FileRows, looking: LookingRows) -> None:
         self.show_help = False
-        self.file_rows = FileRows()
+        self.file_rows = file_rows
+        self._sections = (
+            *SECTIONS,
+            Section("View", looking.draw, ROOMY),
+            Section("Files", file_rows.draw),
+        )
 
     def draw(self, editor: Editor) -> list[c.Command]:
         """Draw the panel; the commands of what was pressed, moved or typed in this frame."""
         asked: list[c.Command] = []
         psim.SetNextWindowPos((0.0, 0.0))
-        psim.SetNextWindowSize((WIDTH, psim.GetIO().DisplaySize[1]))
+        psim.SetNextWindowSize((scaled(WIDTH), psim.GetIO().DisplaySize[1]))
+        psim.SetNextWindowContentSize((scaled(CONTENT_WIDTH), 0.0))
         psim.SetNextWindowBgAlpha(1.0)
         psim.Begin("##panel", PLACE)
         try:
-            psim.PushItemWidth(-110.0)
-            for section in SECTIONS:
-                section(editor, asked)
-            self.show_edges = colours(editor, self.show_edges, asked)
-            self.file_rows.draw(editor, asked)
+            psim.PushItemWidth(-scaled(LABELS))
+            for section in self._sections:
+                draw_section(section, editor, asked)
             psim.PopItemWidth()
         finally:
             psim.End()
@@ -77,15 +68,20 @@ class Panel:
         return asked
 
     def _help(self) -> None:
-        psim.SetNextWindowPos((WIDTH + 30.0, 30.0), psim.ImGuiCond_FirstUseEver)
+        left, margin = scaled(WIDTH + BESIDE), scaled(BESIDE)
+        width, height = psim.GetIO().DisplaySize
+        psim.SetNextWindowPos((left, margin), psim.ImGuiCond_FirstUseEver)
+        psim.SetNextWindowSizeConstraints((0.0, 0.0), (width - left, height - 2.0 * margin))
         _, self.show_help = psim.Begin("Help", True, psim.ImGuiWindowFlags_AlwaysAutoResize)
         try:
+            psim.PushTextWrapPos(min(width - left - margin, scaled(HELP_WIDTH)))
             for line in HELP:
-                psim.Text(line)
+                psim.TextWrapped(line)
             psim.Separator()
             for shortcut in SHORTCUTS:
                 psim.Text(shortcut.keys)
-                psim.SameLine(130.0)
-                psim.Text(shortcut.meaning)
+                psim.SameLine(scaled(130.0))
+                psim.TextWrapped(shortcut.meaning)
+            psim.PopTextWrapPos()
         finally:
             psim.End()

@@ -22,9 +22,6 @@ SLIDE = "slide to blend"
 def poses(editor: Editor, asked: list[c.Command]) -> None:
     """What is kept, and what can be done with it."""
     kept = editor.document.poses
-    if not psim.TreeNode(f"Poses ({len(kept)})###poses"):
-        return
-    psim.Unindent()
     if psim.Button("Keep pose"):
         asked.append(c.KeepPose())
     psim.SetItemTooltip("Put where the handles are now into the list")
@@ -33,8 +30,6 @@ def poses(editor: Editor, asked: list[c.Command]) -> None:
         _export(editor, asked)
         _rows(editor, asked)
         _blend(editor, asked)
-    psim.Indent()
-    psim.TreePop()
 
 
 def rest_menu(editor: Editor, asked: list[c.Command]) -> None:

@@ -6,7 +6,15 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.window.panel.widgets import BUTTON_COLUMN, REST_OF_LINE, disabled, swatch
+from app.window.panel.widgets import (
+    BUTTON_COLUMN,
+    REST_OF_LINE,
+    button_column,
+    disabled,
+    swatch,
+    text_until,
+)
+from app.window.scaling import scaled
 from app.workspace.color_maps import FIXED_COLOR, SOFT_COLOR, handle_color
 from solver.types import FloatArray
 
@@ -14,7 +22,6 @@ from solver.types import FloatArray
 def regions(editor: Editor, asked: list[c.Command]) -> None:
     """Fixed, soft, and a row for each handle."""
     document = editor.document
-    psim.SeparatorText("Regions")
     _row("fixed", FIXED_COLOR, len(document.fixed), c.ClearFixed(), asked)
     soft = int((document.softness > 0).sum())
     _row("soft", SOFT_COLOR, soft, c.ClearSoftness(), asked)
@@ -26,13 +33,14 @@ def regions(editor: Editor, asked: list[c.Command]) -> None:
             asked.append(c.ActivateHandle(handle.key))
         psim.SetItemTooltip("Paint and drag this handle")
         psim.SameLine()
-        psim.SetNextItemWidth(110.0)
+        count = f"{len(document.vertices_of(handle.key)):,}"
+        psim.SetNextItemWidth(_room_before(count))
         _, name = psim.InputText("##name", handle.name)
         if name.strip() and name != handle.name:
             asked.append(c.RenameHandle(handle.key, name))
         psim.SameLine()
-        psim.Text(f"{len(document.vertices_of(handle.key)):,}")
-        psim.SameLine(BUTTON_COLUMN)
+        psim.Text(count)
+        button_column()
         if psim.Button("remove", REST_OF_LINE):
             asked.append(c.RemoveHandle(handle.key))
         psim.PopID()
@@ -46,8 +54,14 @@ def _row(
     asked: list[c.Command],
 ) -> None:
     swatch(color)
-    psim.Text(f"{label}  {count:,}")
-    psim.SameLine(BUTTON_COLUMN)
+    text_until(BUTTON_COLUMN, f"{label}  {count:,}")
+    button_column()
     with disabled(count == 0):
         if psim.Button(f"clear##{label}", REST_OF_LINE):
             asked.append(clear)
+
+
+def _room_before(text: str) -> float:
+    """Pixels for a field that is followed by a text and then a button."""
+    gaps = 2 * psim.GetStyle().ItemSpacing[0]
+    return scaled(BUTTON_COLUMN) - psim.GetCursorPosX() - psim.CalcTextSize(text)[0] - gaps

@@ -12,10 +12,12 @@ from app.window.panel.widgets import (
     BUSY_COLOR,
     BUTTON_COLUMN,
     REST_OF_LINE,
+    button_column,
     disabled,
     halves,
     logarithmic,
 )
+from app.window.scaling import scaled
 from solver.softness.material import PRESETS, Material, resolve_material
 
 SMALLEST_GAIN, LARGEST_GAIN = 0.01, 10.0
@@ -32,13 +34,13 @@ def softness_warnings(editor: Editor, asked: list[c.Command]) -> None:
     """What is wrong with the softness; a click shows where, a button mends that place."""
     for number, warning in enumerate(editor.warnings):
         psim.PushID(number)
-        psim.PushTextWrapPos(BUTTON_COLUMN - 8.0)
+        psim.PushTextWrapPos(scaled(BUTTON_COLUMN - 8.0))
         psim.TextColored(BUSY_COLOR, warning.text)
         psim.PopTextWrapPos()
         psim.SetItemTooltip("Click to see where")
         if psim.IsItemClicked():
             asked.append(c.FrameVertices(tuple(warning.vertices.tolist())))
-        psim.SameLine(BUTTON_COLUMN)
+        button_column()
         if psim.Button("Smooth", REST_OF_LINE):
             asked.append(c.SmoothSoftness(tuple(warning.vertices.tolist())))
         psim.SetItemTooltip("Even the softness out there, and nowhere else")
@@ -47,7 +49,6 @@ def softness_warnings(editor: Editor, asked: list[c.Command]) -> None:
 
 def soft_parts(editor: Editor, asked: list[c.Command]) -> None:
     """Preset, gains, bending length and orientation."""
-    psim.SeparatorText("Soft parts")
     document = editor.document
     names = [*PRESETS, "custom"]
     material = document.material
@@ -82,8 +83,7 @@ def soft_parts(editor: Editor, asked: list[c.Command]) -> None:
 
 
 def pose(editor: Editor, asked: list[c.Command]) -> None:
-    """Rigid level, reset, undo and redo, the rest shape."""
-    psim.SeparatorText("Pose")
+    """What shape, reset, undo and redo, the rest shape."""
     document = editor.document
     names, levels = list(LEVELS), list(LEVELS.values())
     if document.rigid not in levels:

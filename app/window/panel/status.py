@@ -6,10 +6,12 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.window.panel.widgets import BUSY_COLOR, WIDTH
+from app.window.panel.widgets import BUSY_COLOR, WIDTH, text_until
+from app.window.scaling import scaled
 from app.window.shortcuts import WindowAction
 
 HINT_LINES = 2
+BUTTONS = WIDTH - 124.0  # where Frame and Help begin
 NOTHING = 5e-5  # seconds below which no drag has been
 
 
@@ -17,8 +19,8 @@ def status(editor: Editor, asked: list[c.Command]) -> None:
     """What is open, what to do next, what it costs."""
     document = editor.document
     mark = " *" if editor.dirty else ""
-    psim.Text(f"{document.path.name}{mark}")
-    psim.SameLine(WIDTH - 114.0)
+    text_until(BUTTONS, f"{document.path.name}{mark}")
+    psim.SameLine(scaled(BUTTONS))
     if psim.SmallButton("Frame"):
         asked.append(c.ViewFrom("front"))
     psim.SetItemTooltip("Show the whole mesh from the front (Home); F frames what is selected")
@@ -40,7 +42,8 @@ def _hint(editor: Editor) -> None:
     below = psim.GetCursorPosY() + HINT_LINES * psim.GetTextLineHeight()
     below += psim.GetStyle().ItemSpacing[1]
     if editor.waits:
-        psim.TextColored(BUSY_COLOR, editor.hint)
-    else:
-        psim.TextWrapped(editor.hint)
+        psim.PushStyleColor(psim.ImGuiCol_Text, BUSY_COLOR)
+    psim.TextWrapped(editor.hint)
+    if editor.waits:
+        psim.PopStyleColor(1)
     psim.SetCursorPosY(max(below, psim.GetCursorPosY()))

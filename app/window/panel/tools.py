@@ -8,29 +8,27 @@ from app.editor import commands as c
 from app.editor.editor import Editor
 from app.tools.table import TOOLS
 from app.window.panel.tool_options import OPTIONS
-from app.window.panel.widgets import CHOSEN_COLOR
+from app.window.panel.widgets import CHOSEN_COLOR, share
 
 TOOLS_A_ROW = 3
 
 
-def choose_tool(editor: Editor, asked: list[c.Command]) -> None:
-    """One button a tool."""
-    psim.SeparatorText("Tools")
-    room, gap = psim.GetContentRegionAvail()[0], psim.GetStyle().ItemSpacing[0]
-    size = ((room - (TOOLS_A_ROW - 1) * gap) / TOOLS_A_ROW, 0.0)
-    for number, (name, tool) in enumerate(TOOLS.items()):
+def tools(editor: Editor, asked: list[c.Command]) -> None:
+    """One button a tool, and what the tool in the hand can be told."""
+    size = share(TOOLS_A_ROW)
+    for number, name in enumerate(TOOLS):
         if number % TOOLS_A_ROW:
             psim.SameLine()
-        chosen = editor.tool == name
-        if chosen:
-            psim.PushStyleColor(psim.ImGuiCol_Button, CHOSEN_COLOR)
-        if psim.Button(f"{tool.key} {tool.label}", size):
-            asked.append(c.SetTool(name))
-        if chosen:
-            psim.PopStyleColor(1)
+        _button(editor, name, size, asked)
+    for option in TOOLS[editor.tool].options:
+        OPTIONS[option](editor, asked)
 
 
-def tool_options(editor: Editor, asked: list[c.Command]) -> None:
-    """What the tool in the hand can be told."""
-    for name in TOOLS[editor.tool].options:
-        OPTIONS[name](editor, asked)
+def _button(editor: Editor, name: str, size: tuple[float, float], asked: list[c.Command]) -> None:
+    tool, chosen = TOOLS[name], editor.tool == name
+    if chosen:
+        psim.PushStyleColor(psim.ImGuiCol_Button, CHOSEN_COLOR)
+    if psim.Button(f"{tool.key} {tool.label}", size):
+        asked.append(c.SetTool(name))
+    if chosen:
+        psim.PopStyleColor(1)

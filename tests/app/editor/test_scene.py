@@ -7,6 +7,7 @@ from typing import ClassVar
 import numpy as np
 import pytest
 
+from app.bundled import DEFAULT_MESH
 from app.editor import commands as c
 from app.model.handles import FIXED
 from app.tools.table import TOOLS
@@ -63,6 +64,32 @@ def test_pins_are_seen_with_the_softness_only(ready: Person) -> None:
     assert ready.editor.scene().dots is not None
     ready.do(c.ClearPins())
     assert ready.editor.scene().dots is None
+
+
+def test_looks_change_one_by_one_and_nothing_of_the_document(ready: Person) -> None:
+    before, done = state(ready.editor.document), len(ready.editor.history.done)
+    ready.do(c.SetLooks(smooth=False), c.SetLooks(edges=True))
+    looks = ready.editor.scene().looks
+    assert (looks.edges, looks.smooth, looks.rest) == (True, False, False)
+    assert (state(ready.editor.document), len(ready.editor.history.done)) == (before, done)
+    ready.do(c.OpenMesh(DEFAULT_MESH))
+    assert ready.editor.scene().looks == looks, "of the person, not of the mesh"
+
+
+def test_the_ghost_is_the_rest_shape_just_below_the_surface(ready: Person) -> None:
+    assert ready.editor.scene().ghost is None
+    ready.do(c.SetLooks(rest=True))
+    ghost = ready.editor.scene().ghost
+    assert ghost is not None
+    document = ready.editor.document
+    V = document.mesh.vertices
+    inside = (ghost > V.min(axis=0)) & (ghost < V.max(axis=0))
+    assert inside.all(), "where nothing has moved the surface hides it"
+    np.testing.assert_allclose(ghost, V, atol=1.1e-3 * document.diagonal)
+    ready.stroke([19, 2, 0], [17, 6, 0])
+    assert ready.editor.scene().ghost is ghost
+    ready.do(c.SetLooks(rest=False))
+    assert ready.editor.scene().ghost is None
 
 
 @pytest.mark.parametrize("radius", [0.2, 1.5, 2.4])

@@ -1,0 +1,111 @@
+"""Which dialog a key opens, and what becomes of the answer; needs no graphics library."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from app.bundled import DEFAULT_SESSION
+from app.dialogs.dialogs import Dialogs
+from app.dialogs.programs import tk
+from app.dialogs.question import Answer, Question
+from app.editor import commands as c
+from app.editor.file_actions import load_document
+from app.window.file_dialogs import FileDialogs
+from solver.mesh.formats.table import FORMATS
+from tests.app.person import Person, slab
+
+
+class Clerk(Dialogs):
+    """Answers at the next poll, as told."""
+
+    def __init__(self) -> None:
+        super().__init__(tk)
+        self.asked: list[Question] = []
+        self.path: Path | None = None
+
+    def ask(self, question: Question) -> None:
+        self.asked.append(question)
+
+    def poll(self) -> Answer | None:
+        return Answer(self.asked[-1], self.path) if self.asked else None
+
+
+@pytest.fixture
+def clerk() -> Clerk:
+    return Clerk()
+
+
+@pytest.fixture
+def person(tmp_path: Path) -> Iterator[Person]:
+    person = Person(slab(3, 3, 1.0), tmp_path / "m.ply")
+    yield person
+    person.editor.close()
+
+
+def test_opening_asks_for_meshes_and_sessions_beside_the_mesh(
+    clerk: Clerk, person: Person, tmp_path: Path
+) -> None:
+    files = FileDialogs(clerk)
+    assert files.act("open", person.editor) is None
+    (question,) = clerk.asked
+    assert not question.saves
+    assert question.path == tmp_path
+    assert set(question.kinds[0].suffixes) == {*FORMATS, ".json"}
+    assert files.poll() is None, "cancelled: nothing happens"
+    clerk.path = tmp_path / "a.json"
+    assert files.poll() == c.OpenSession(tmp_path / "a.json")
+    clerk.path = tmp_path / "a.glb"
+    assert files.poll() == c.OpenMesh(tmp_path / "a.glb")
+
+
+def test_a_session_is_saved_where_it_is_known_else_it_asks(
+    clerk: Clerk, person: Person, tmp_path: Path
+) -> None:
+    files, editor = FileDialogs(clerk), person.editor
+    assert files.act("save", editor) is None
+    assert clerk.asked[0].path == tmp_path / "m.json"
+    clerk.path = tmp_path / "mine.json"
+    command = files.poll()
+    assert command == c.SaveSession(tmp_path / "mine.json")
+    editor.document.mesh.save(tmp_path / "m.ply", editor.positions)
+    person.do(command)
+    assert files.act("save", editor) == c.SaveSession(tmp_path / "mine.json")
+    assert files.act("save as", editor) is None
+    assert clerk.asked[-1].path == tmp_path / "mine.json"
+    editor.adopt(load_document(None, DEFAULT_SESSION), DEFAULT_SESSION)
+    assert files.act("save", editor) is None, "what comes with the program is not written over"
+
+
+def test_an_export_goes_where_the_last_one_went_until_another_document_is_open(
+    clerk: Clerk, person: Person, tmp_path: Path
+) -> None:
+    files = FileDialogs(clerk)
+    assert files.act("export", person.editor) is None
+    assert clerk.asked[0].path == tmp_path / "m-deformed.obj"
+    clerk.path = tmp_path / "out.obj"
+    assert files.poll() == c.Export(tmp_path / "out.obj")
+    assert files.act("export", person.editor) == c.Export(tmp_path / "out.obj")
+    assert files.act("export as", person.editor) is None
+    files.forget()
+    assert files.act("export", person.editor) is None
+    person.editor.export_path = tmp_path / "told.obj"
+    assert files.act("export", person.editor) == c.Export(tmp_path / "told.obj")
+
+
+def test_a_suffix_is_added_but_never_over_a_file_that_nobody_was_asked_about(
+    clerk: Clerk, person: Person, tmp_path: Path
+) -> None:
+    files = FileDialogs(clerk)
+    files.act("save as", person.editor)
+    clerk.path = tmp_path / "name"
+    assert files.poll() == c.SaveSession(tmp_path / "name.json")
+    (tmp_path / "name.json").touch()
+    with pytest.raises(
+        c.CommandError, match=r"name\.json is there already; choose it by its whole"
+    ):
+        files.poll()
+    clerk.path = tmp_path / "name.json"  # the dialog has asked
+    assert files.poll() == c.SaveSession(tmp_path / "name.json")
