@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection
 from typing import Any
 
 from app.editor.commands import Command, CommandError
+from app.model.handles import Handle
 from app.workspace.workspace import Workspace
 
 Action = Callable[[Workspace, Any], None]  # Any: the kind of command it stands beside in its table
@@ -16,3 +17,11 @@ def check_name(name: str, names: Collection[str], what: str) -> None:
     """Raise CommandError unless `name` is one of the names of a table."""
     if name not in names:
         raise CommandError(f"unknown {what} {name!r}, expected one of {', '.join(names)}")
+
+
+def find_handle(work: Workspace, key: int) -> Handle:
+    """The handle with this key. Raises CommandError."""
+    handle = work.document.find(key)
+    if handle is None:
+        raise CommandError(f"there is no handle with key {key!r}")
+    return handle

@@ -84,5 +84,5 @@ def begin_drag(work: Workspace, press: Input, hit: Hit) -> Interaction | None:
     handle = document.find(int(document.role[hit.vertex]))
     if handle is None:
         return None
-    work.activate(handle.key)
+    work.activate(handle.key, alone=False)
     return Drag(work, press, hit, handle)

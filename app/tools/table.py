@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from app.tools.drag import begin_drag
+from app.tools.gizmo.begin import begin_gizmo, gizmo_cursor
 from app.tools.role_strokes import paint_fixed, paint_handle
+from app.tools.select_handle import begin_select
 from app.tools.softness_strokes import paint_softness
-from app.tools.tool import Tool, brush_cursor
+from app.tools.tool import Tool, brush_cursor, first_of
 
 TOOLS = {
     "navigate": Tool("Navigate", "1"),
@@ -29,8 +31,9 @@ TOOLS = {
     "drag": Tool(
         "Drag",
         "5",
-        begin_drag,
-        options=("turns by itself",),
+        first_of(begin_gizmo, begin_select, begin_drag),
+        gizmo_cursor,
+        options=("turns by itself", "gizmo", "place"),
         map="roles",
         keeps_heat=True,
         hint="Press on a handle and drag",

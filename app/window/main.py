@@ -116,7 +116,7 @@ class Window:
         editor, view = self._editor, self._view
         editor.viewpoint.fit(ps.get_window_size(), WIDTH)
         mouse = read_mouse(editor.viewpoint.camera)
-        asked = [*read_shortcuts(editor.brush), *self._panel.draw(editor)]
+        asked = [*read_shortcuts(editor.brush, editor.hears), *self._panel.draw(editor)]
         asked += [open_command(path) for path in self._drops]
         self._drops = []
         for command in asked:

@@ -62,18 +62,20 @@ def _blend(values: ArrayLike, stops: FloatArray) -> FloatArray:
     return np.column_stack([np.interp(s, at, channel) for channel in stops.T])
 
 
-# Free, fixed, the active handle, the other handles.
+# Free, fixed, the active handle, those selected with it, the other handles.
 FREE_COLOR, FIXED_COLOR, ACTIVE_COLOR, OTHER_COLOR = viridis([0.5, 0.0, 1.0, 0.86])
+SELECTED_COLOR = viridis([0.93])[0]
 SOFT_COLOR = viridis([0.75])[0]
 
 
 def role_colors(work: Workspace) -> FloatArray:
-    """Fixed dark purple, free teal, the active handle yellow, the others a greener yellow."""
-    document, active = work.document, work.active
+    """Fixed dark purple, free teal, the active handle yellow, the others ever greener."""
+    document = work.document
     palette = np.tile(OTHER_COLOR, (max(int(document.role.max()), FIXED) + 1, 1))
     palette[[FREE, FIXED]] = FREE_COLOR, FIXED_COLOR
-    if active is not None and active.key < len(palette):
-        palette[active.key] = ACTIVE_COLOR
+    for number, handle in enumerate(work.selected):
+        if handle.key < len(palette):
+            palette[handle.key] = SELECTED_COLOR if number else ACTIVE_COLOR
     return np.asarray(palette[document.role])
 
 

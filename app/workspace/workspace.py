@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import ClassVar, Literal, Protocol
 
@@ -24,6 +24,7 @@ from app.workspace.latest import Latest
 from app.workspace.live_surface import LiveSurface
 from app.workspace.parts import Parts
 from app.workspace.picking import Hit, Picker
+from app.workspace.placing import Pivots, Placing
 from solver.mesh.progress import Progress
 from solver.types import FloatArray
 
@@ -56,10 +57,10 @@ class Workspace:
     """One open document with its history and its surface on screen, and what a person chose.
 
     tool: a name in tools.TOOLS.  map: a name in color_maps.MAPS.  turn: dragged handles turn by
-    themselves.  message: the last one, None before the first.  export_path: where Export goes
-    by default.  session_path: the session file last opened or saved.  interaction: the stroke or
-    drag in progress.  progress: what is told how far reading and saving are.  viewpoint: where
-    the person looks from.  last_input: of the frame before.
+    themselves.  placing: how handles are placed exactly.  message: the last one, None before the
+    first.  export_path: where Export goes by default.  session_path: the session file last opened
+    or saved.  interaction: the stroke or drag in progress.  progress: what is told how far reading
+    and saving are.  viewpoint: where the person looks from.  last_input: of the frame before.
     """
 
     def __init__(
@@ -74,6 +75,7 @@ class Workspace:
         self.tool = "navigate"
         self.brush = Brush()
         self.turn = True
+        self.placing = Placing()
         self.map = "roles"
         self.message: Message | None = None
         self.progress: Progress | None = None
@@ -90,12 +92,15 @@ class Workspace:
         self.history = History()
         self.surface = LiveSurface(mesh, self.worker, self._complain)
         self.neighbours = Neighbours(mesh.vertices, mesh.faces)
+        self.pivots = Pivots(self.neighbours.edges)
+        self.placing = replace(self.placing, points={})
         self.heat = Heat(mesh)
         self.parts = Parts(mesh)
         self._picker = Picker(mesh.vertices, mesh.faces)
         self._under: Latest[Hit | None] = Latest()
         self.last_input: Input | None = None
         self._active = document.handles[0].key if document.handles else None
+        self._selected: frozenset[int] = frozenset()
         self.viewpoint.show(mesh.vertices[mesh.pieces >= 0])
 
     def say(self, text: str, kind: Literal["info", "error"] = "info") -> None:
@@ -172,6 +177,38 @@ class Workspace:
         handles = self.document.handles
         return self.document.find(self._active) or (handles[-1] if handles else None)
 
-    def activate(self, key: int) -> None:
-        """Choose the active handle."""
+    def activate(self, key: int, alone: bool = True) -> None:
+        """Choose the active handle.
+
+        alone: select no other; else a selection that holds it stays.
+        """
+        if alone or key not in self._selected:
+            self._selected = frozenset()
         self._active = key
+
+    @property
+    def selected(self) -> tuple[Handle, ...]:
+        """The handles that are placed together, the active one first."""
+        active = self.active
+        if active is None:
+            return ()
+        others = (handle for handle in self.document.handles if handle.key in self._selected)
+        return (active, *(handle for handle in others if handle != active))
+
+    def select(self, key: int) -> None:
+        """Add a handle to the selection, and make it the active one; or take it out.
+
+        The last one stays selected.
+        """
+        keys = [handle.key for handle in self.selected]
+        if key not in keys:
+            keys.insert(0, key)
+        elif len(keys) > 1:
+            keys.remove(key)
+        self._active, self._selected = keys[0], frozenset(keys)
+
+    @property
+    def pivot(self) -> FloatArray | None:
+        """(3,) what the selected handles turn about; None where they have no vertices."""
+        keys = [handle.key for handle in self.selected]
+        return self.pivots.of(self.document, keys, self.placing)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from app.editor import commands as c
-from app.editor.action import Actions
+from app.editor.action import Actions, find_handle
 from app.model.handles import Pose
 from app.workspace.workspace import Workspace
 
@@ -15,6 +15,13 @@ def reset_pose(work: Workspace, command: c.ResetPose) -> None:
         gesture.change("pose", Pose())
 
 
+def reset_handle(work: Workspace, command: c.ResetHandle) -> None:
+    handle = find_handle(work, command.key)
+    with work.edit(f"Reset {handle.name}") as gesture:
+        gesture.change("pose", work.document.pose.without(handle.key))
+
+
 POSE_ACTIONS: Actions = {
     c.ResetPose: reset_pose,
+    c.ResetHandle: reset_handle,
 }

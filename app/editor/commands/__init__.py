@@ -5,7 +5,15 @@ from app.editor.commands.command import Command, CommandError
 from app.editor.commands.files import Export, OpenMesh, OpenSession, SaveSession
 from app.editor.commands.history import CancelGesture, Redo, Undo
 from app.editor.commands.parts import SetFollows, ShowPart
-from app.editor.commands.poses import ResetPose
+from app.editor.commands.placing import (
+    MoveHandles,
+    PickPivot,
+    SetPlacing,
+    SetPosition,
+    SetRotation,
+    TurnHandles,
+)
+from app.editor.commands.poses import ResetHandle, ResetPose
 from app.editor.commands.regions import (
     ActivateHandle,
     AddHandle,
@@ -13,6 +21,7 @@ from app.editor.commands.regions import (
     ClearHandle,
     RemoveHandle,
     RenameHandle,
+    SelectHandle,
 )
 from app.editor.commands.settings import SetMaterial, SetSetting
 from app.editor.commands.softness import ClearPins, ClearSoftness, FillSoftness, SmoothSoftness
@@ -31,23 +40,31 @@ __all__ = [
     "Export",
     "FillSoftness",
     "FrameSelected",
+    "MoveHandles",
     "OpenMesh",
     "OpenSession",
+    "PickPivot",
     "Redo",
     "RemoveHandle",
     "RenameHandle",
+    "ResetHandle",
     "ResetPose",
     "SaveSession",
+    "SelectHandle",
     "SetBrush",
     "SetFollows",
     "SetMap",
     "SetMaterial",
+    "SetPlacing",
+    "SetPosition",
+    "SetRotation",
     "SetSetting",
     "SetTool",
     "SetTurn",
     "SetUp",
     "ShowPart",
     "SmoothSoftness",
+    "TurnHandles",
     "Undo",
     "ViewFrom",
 ]

@@ -10,3 +10,10 @@ from app.editor.commands.command import Command
 @dataclass(frozen=True)
 class ResetPose(Command):
     """Every handle back to rest."""
+
+
+@dataclass(frozen=True)
+class ResetHandle(Command):
+    """One handle back to rest."""
+
+    key: int

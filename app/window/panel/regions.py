@@ -6,8 +6,15 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
+from app.model.handles import Handle
 from app.window.panel.widgets import BUTTON_COLUMN, REST_OF_LINE, disabled, swatch
-from app.workspace.color_maps import ACTIVE_COLOR, FIXED_COLOR, OTHER_COLOR, SOFT_COLOR
+from app.workspace.color_maps import (
+    ACTIVE_COLOR,
+    FIXED_COLOR,
+    OTHER_COLOR,
+    SELECTED_COLOR,
+    SOFT_COLOR,
+)
 from solver.types import FloatArray
 
 
@@ -20,11 +27,12 @@ def regions(editor: Editor, asked: list[c.Command]) -> None:
     _row("soft", SOFT_COLOR, soft, c.ClearSoftness(), asked)
     for handle in document.handles:
         psim.PushID(str(handle.key))
-        active = editor.active is not None and handle.key == editor.active.key
-        swatch(ACTIVE_COLOR if active else OTHER_COLOR)
-        if psim.RadioButton("##active", active):
-            asked.append(c.ActivateHandle(handle.key))
-        psim.SetItemTooltip("Paint and drag this handle")
+        selected = handle in editor.selected
+        swatch(_color(editor, handle))
+        if psim.RadioButton("##active", selected):
+            choose = c.SelectHandle if psim.GetIO().KeyCtrl else c.ActivateHandle
+            asked.append(choose(handle.key))
+        psim.SetItemTooltip("Paint and drag this handle; Ctrl+click to move several together")
         psim.SameLine()
         psim.SetNextItemWidth(110.0)
         _, name = psim.InputText("##name", handle.name)
@@ -36,6 +44,12 @@ def regions(editor: Editor, asked: list[c.Command]) -> None:
         if psim.Button("remove", REST_OF_LINE):
             asked.append(c.RemoveHandle(handle.key))
         psim.PopID()
+
+
+def _color(editor: Editor, handle: Handle) -> FloatArray:
+    if handle == editor.active:
+        return ACTIVE_COLOR
+    return SELECTED_COLOR if handle in editor.selected else OTHER_COLOR
 
 
 def _row(
