@@ -185,7 +185,8 @@ class Editor(Workspace):
         operator = self.interaction
         if isinstance(operator, Operator) and (operator.modal or not frame.pressed):
             self._operate(operator, frame)
-        elif frame.pressed:
+            return
+        if frame.pressed:
             self.finish()  # a release that nobody saw
             self._begin(frame)
         elif self.interaction is not None and (frame.down or frame.released):

@@ -115,13 +115,12 @@ class Window:
     def _frame(self) -> None:
         editor, view = self._editor, self._view
         editor.viewpoint.fit(ps.get_window_size(), WIDTH)
-        mouse = read_mouse(editor.viewpoint.camera)
         asked = [*read_shortcuts(editor.brush, editor.hears), *self._panel.draw(editor)]
         asked += [open_command(path) for path in self._drops]
         self._drops = []
         for command in asked:
             self._do(command)
-        editor.step(mouse)
+        editor.step(read_mouse(editor.viewpoint.camera))
         if self._looked is not editor.viewpoint.camera:
             self._looked = editor.viewpoint.camera
             view.look(self._looked, editor.viewpoint.reach)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import polyscope.imgui as psim
 
@@ -39,9 +41,12 @@ def _lines(outline: Outline, camera: Camera) -> None:
 def _fill(fill: Fill, camera: Camera) -> None:
     """Nothing where some of it is behind the camera."""
     pixels = camera.project(fill.corners)
-    if np.isfinite(pixels).all():
-        color = psim.IM_COL32(*fill.color, 255)
-        psim.GetBackgroundDrawList().AddConvexPolyFilled(pixels.tolist(), color)
+    if not np.isfinite(pixels).all():
+        return
+    first, *others = pixels.tolist()
+    draw, color = psim.GetBackgroundDrawList(), psim.IM_COL32(*fill.color, 255)
+    for second, third in pairwise(others):
+        draw.AddTriangleFilled(first, second, third, color)
 
 
 def _label(label: Label) -> None:

@@ -49,22 +49,23 @@ class PlaceRows:
 
     def _rotation(self, now: Triple, asked: list[c.Command]) -> None:
         fields = _fields("r", now, DEGREES_A_PIXEL)
-        x, y, z = (
-            value if changed else old for (value, changed, _), old in zip(fields, now, strict=True)
-        )
-        if any(changed for _, changed, _ in fields):
-            asked.append(c.SetRotation(axis, (x, y, z)))
-        self._angles = (x, y, z) if any(used for _, _, used in fields) else None
+        angles = list(now)
+        for axis, (value, changed, _) in enumerate(fields):
+            if changed:
+                angles[axis] = value
+                asked.append(c.SetRotation(axis, (angles[0], angles[1], angles[2])))
+        used = any(used for _, _, used in fields)
+        self._angles = (angles[0], angles[1], angles[2]) if used else None
         psim.SetItemTooltip("Degrees about x, y and z; drag, or Ctrl+click and type")
 
 
 def _fields(name: str, values: Triple, speed: float) -> list[tuple[float, bool, bool]]:
     """Each number as it is now, whether it was changed, and whether its field is in use."""
     found = []
-    width = (BUTTON_COLUMN - 3 * psim.GetStyle().ItemSpacing[0]) / 3
+    width = (BUTTON_COLUMN - 4 * psim.GetStyle().ItemSpacing[0]) / 3
     for axis, value in zip("xyz", values, strict=True):
         psim.SetNextItemWidth(width)
-        changed, new = psim.DragFloat(f"##{name}{axis}", value, speed, 0.0, 0.0, f"{axis} %.5g")
+        changed, new = psim.DragFloat(f"##{name}{axis}", value, speed, 0.0, 0.0, f"{axis} %.4g")
         # The widget's numbers have seven digits: what was typed is the shortest with these.
         found.append((float(f"{new:.7g}"), bool(changed), bool(psim.IsItemActive())))
         psim.SameLine()

@@ -85,16 +85,14 @@ def gizmo(editor: Editor, asked: list[c.Command]) -> None:
     if changed:
         asked.append(c.SetPlacing(gizmo=on))
     room = psim.GetContentRegionAvail()[0] - PICK_WIDTH - 2 * psim.GetStyle().ItemSpacing[0]
-    for field, names, choose in (
-        ("axes", AXES, lambda name: c.SetPlacing(axes=name)),
-        ("pivot", PIVOTS, lambda name: c.SetPlacing(pivot=name)),
-    ):
+    for field, names in (("axes", AXES), ("pivot", PIVOTS)):
         psim.SetNextItemWidth(0.5 * room)
         labels = [NAMED.get(name, f"{name} {field}") for name in names]
         changed, index = psim.Combo(f"##{field}", names.index(getattr(placing, field)), labels)
         psim.SetItemTooltip(TIPS[field])
         if changed:
-            asked.append(choose(names[index]))
+            name = names[index]
+            asked.append(c.SetPlacing(axes=name) if names is AXES else c.SetPlacing(pivot=name))
         psim.SameLine()
     if psim.Button("pick", REST_OF_LINE):
         asked.append(c.PickPivot())
