@@ -16,7 +16,7 @@ from solver.geometry.procrustes import procrustes
 from solver.types import FloatArray, IntArray
 
 AXES = ("world", "local", "view")
-PIVOTS = ("centre", "joint", "point")
+PIVOTS = ("centre", "joint", "point", "free")
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,8 @@ class Placing:
     """What a person chose.
 
     gizmo: whether it shows.  axes: one of AXES, local ones turn with the active handle.
-    pivot: one of PIVOTS; the joint is where a handle borders on what is free.
+    pivot: one of PIVOTS; the joint is where a handle borders on what is free; free: about the
+        centre, and then to where the surface takes it.
     points: by a handle's key the point picked for it, (3,) at rest.
     """
 

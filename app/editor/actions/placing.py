@@ -12,6 +12,7 @@ from app.editor.action import Actions, check_name
 from app.model.settings import is_number
 from app.tools.gizmo.begin import begin_operator
 from app.tools.gizmo.pick import PickPivot
+from app.tools.gizmo.placement import label_of, placed
 from app.workspace.placing import AXES, PIVOTS, rotation_of
 from app.workspace.workspace import Workspace
 from solver.geometry.motions import from_euler_angles, motion
@@ -60,10 +61,8 @@ def set_rotation(work: Workspace, command: c.SetRotation) -> None:
 
 def _place(work: Workspace, T: FloatArray, kind: str, axis: int) -> None:
     """Move the selected handles by T (4, 4). Entries of one kind and axis become one."""
-    pose, handles = work.document.pose, work.selected
-    for handle in handles:
-        pose = pose.moved(handle.key, T @ pose.of(handle.key))
-    label = f"{kind} {handles[0].name if len(handles) == 1 else f'{len(handles)} handles'}"
+    label = label_of(kind, work.selected)
+    pose = placed(work, work.document.pose, T, kind)
     with work.edit(label, merge=f"{label} {axis}") as gesture:
         gesture.change("pose", pose)
 

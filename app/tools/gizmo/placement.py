@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import ClassVar
 
 import numpy as np
 
+from app.model.handles import Handle, Pose
 from app.model.history import Gesture
 from app.tools.gizmo.freedoms import (
     Freedom,
@@ -23,7 +24,6 @@ from app.workspace.operator import Operator
 from app.workspace.overlay import Label, Overlay
 from app.workspace.placing import axes_of
 from app.workspace.workspace import Workspace
-from solver.geometry.motions import moved
 from solver.types import FloatArray
 
 AxisFreedom = Callable[[FloatArray, FloatArray, str], Freedom]
@@ -88,9 +88,7 @@ class Placement(Operator):
 
     def finish(self) -> None:
         """Keep it as one entry of the history."""
-        names = [handle.name for handle in self._handles]
-        what = names[0] if len(names) == 1 else f"{len(names)} handles"
-        self._work.history.record(self._gesture.finish(f"{self._kind} {what}"))
+        self._work.history.record(self._gesture.finish(label_of(self._kind, self._handles)))
 
     def cancel(self) -> None:
         """Put the handles back."""
@@ -102,7 +100,8 @@ class Placement(Operator):
         size = self._number.text if self._typed else freedom.size(value)
         text = f"{freedom.name} {size}{freedom.unit}".strip()
         labels = () if frame.pixel is None else (Label(text, frame.pixel),)
-        (pivot,) = moved(freedom.motion(value), self._pivot[None])
+        pivot = self._work.pivot
+        assert pivot is not None
         line = axis_line(freedom, pivot, self._work.document.diagonal)
         return Overlay((*line, *turn_circle(freedom, pivot, self._work.viewpoint.camera)), labels)
 
@@ -139,11 +138,23 @@ class Placement(Operator):
         freedom, value = self._result()
         pose = self._before
         if value.any():
-            T = freedom.motion(value)
-            for handle in self._handles:
-                pose = pose.moved(handle.key, T @ self._before.of(handle.key))
+            pose = placed(self._work, pose, freedom.motion(value), self._kind)
         if pose != self._work.document.pose:
             self._gesture.change("pose", pose)
+
+
+def placed(work: Workspace, pose: Pose, T: FloatArray, kind: str) -> Pose:
+    """The pose with the selected handles moved by T (4, 4); turned ones may find their place."""
+    keys = [handle.key for handle in work.selected]
+    for key in keys:
+        pose = pose.moved(key, T @ pose.of(key))
+    follows = kind == "Turn" and work.placing.pivot == "free"
+    return work.surface.placed(pose, keys) if follows else pose
+
+
+def label_of(kind: str, handles: Sequence[Handle]) -> str:
+    """Of an entry of the history."""
+    return f"{kind} {handles[0].name if len(handles) == 1 else f'{len(handles)} handles'}"
 
 
 def free_freedom(kind: str, pivot: FloatArray, camera: Camera, axes: FloatArray) -> Freedom:

@@ -14,10 +14,11 @@ from app.window.panel.widgets import REST_OF_LINE, disabled, halves, logarithmic
 from app.workspace.placing import AXES, PIVOTS
 
 PICK_WIDTH = 44.0
-NAMED = {"point": "picked point"}
+NAMED = {"point": "picked point", "free": "place follows"}
 TIPS = {
     "axes": "What the gizmo's axes are: the world's, the handle's own, or those of the view",
-    "pivot": "What a handle turns about: its centre, its border to what is free, or a point",
+    "pivot": "What a handle turns about: its centre, its border to what is free, a point; "
+    "or it turns, and the surface takes it along",
 }
 BRUSH_RADII = 0.005, 0.3
 

@@ -401,3 +401,26 @@ def test_a_transform_that_flattens_can_still_be_placed(ready: Person) -> None:
     ready.do(c.SetPlacing(axes="local"), c.SetRotation(0, (90.0, 0.0, 0.0)))
     (T,) = transforms(document)
     np.testing.assert_allclose(T[:3, :3], rotation([1, 0, 0], 90) @ flat[:3, :3], atol=1e-12)
+
+
+def test_a_turned_handle_whose_place_follows_goes_where_the_surface_takes_it(
+    ready: Person,
+) -> None:
+    before, entries = state(ready.editor.document), len(ready.editor.history.done)
+    ready.do(c.SetPlacing(pivot="free"))
+    ready.frame(BESIDE)
+    ready.do(c.TurnHandles())
+    type_in(ready, "z40\n")
+    (T,) = transforms(ready.editor.document)
+    np.testing.assert_allclose(T[:3, :3], rotation([0, 0, 1], 40), atol=1e-12)
+    centre = pivot(ready)
+    check_constraints(ready)
+    check_one_entry(ready, before, entries, "Turn handle 1")
+    assert centre[1] > pivot(ready)[1] + 2, "the bar bends towards where its end looks"
+    ready.do(c.SetRotation(2, (0.0, 0.0, 40.0)))
+    np.testing.assert_allclose(transforms(ready.editor.document)[0], T, atol=1e-9)
+    ready.do(c.Undo(), c.MoveHandles())
+    type_in(ready, "y1\n")
+    np.testing.assert_array_equal(
+        transforms(ready.editor.document)[0], motion(np.eye(3), [0, 1, 0])
+    )
