@@ -126,8 +126,8 @@ class Gizmo:
 
 
 def axis_line(freedom: Freedom, pivot: FloatArray, reach: float) -> Iterator[Outline]:
-    """The line along an axis, so far both ways; nothing where there is none."""
-    if freedom.axis is not None:
+    """The line along an axis, so far both ways; that of the view would be but a point."""
+    if freedom.axis is not None and freedom.name in AXIS_COLORS:
         corners = pivot + np.linspace(-reach, reach, LINE_PIECES)[:, None] * freedom.axis
         color = axis_color(freedom)
         yield replace(Outline.through(corners, color, closed=False), opacity=HALF)

@@ -10,7 +10,8 @@ import pytest
 
 from app.editor import commands as c
 from app.model.handles import FREE, Handle
-from app.tools.gizmo.shape import BALL, RADIUS
+from app.tools.gizmo.shape import BALL, RADIUS, Y_COLOR
+from app.workspace.overlay import Outline
 from solver.geometry.motions import from_euler_angles, motion, moved, rotation, rotation_about
 from solver.types import FloatArray
 from tests.app.person import Person, state, transforms
@@ -42,6 +43,10 @@ def type_in(person: Person, keys: str) -> None:
 def label(person: Person) -> str:
     (found,) = person.editor.cursor.labels
     return found.text
+
+
+def lines(person: Person) -> tuple[Outline, ...]:
+    return person.editor.cursor.outlines
 
 
 def check_one_entry(person: Person, before: tuple[object, ...], count: int, name: str) -> None:
@@ -207,6 +212,21 @@ def test_an_axis_is_of_the_world_then_the_handles_own_then_none(ready: Person) -
     assert (free[:2, 3] > T[:2, 3] + 0.5).all()
     ready.do(c.CancelGesture())
     np.testing.assert_array_equal(transforms(ready.editor.document)[0], T)
+
+
+def test_the_locked_axis_shows_as_a_line(ready: Person) -> None:
+    ready.frame(BESIDE)
+    ready.do(c.MoveHandles())
+    assert not lines(ready)
+    type_in(ready, "y")
+    (line,) = lines(ready)
+    ends = line.segments.reshape(-1, 3)
+    np.testing.assert_allclose(ends[:, [0, 2]] - pivot(ready)[[0, 2]], 0, atol=1e-9)
+    assert line.color == Y_COLOR
+    ready.do(c.CancelGesture(), c.TurnHandles())
+    type_in(ready, "y")
+    assert len(lines(ready)) == 2, "and a ring about it"
+    ready.do(c.CancelGesture())
 
 
 def test_an_axis_named_late_takes_what_the_cursor_went(ready: Person) -> None:
