@@ -66,11 +66,14 @@ class Performer:
             cursor += [start + (end - start) * step / STEPS for step in range(1, STEPS + 1)]
         for number, (x, y) in enumerate(cursor):
             self._frame(x, y, pressed=number == 0, down=True)
-        self._frame(*cursor[-1], released=True)
+        x, y = cursor[-1]
+        self._frame(x, y, released=True)
         self._editor.settle()
 
-    def _frame(self, x: float, y: float, **buttons: bool) -> None:
-        self._editor.step(Input((x, y), self._camera, **buttons))
+    def _frame(
+        self, x: float, y: float, pressed: bool = False, down: bool = False, released: bool = False
+    ) -> None:
+        self._editor.step(Input((x, y), self._camera, pressed, down, released))
 
 
 def demo(folder: Path) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection
 from typing import Any
 
 from app.editor.commands import Command, CommandError
+from app.model.handles import Handle
 from app.workspace.workspace import Workspace
 
 MOST_BETWEEN = 100
@@ -25,3 +26,11 @@ def check_between(count: int) -> int:
     if type(count) is not int or not 0 <= count <= MOST_BETWEEN:
         raise CommandError(f"shapes between two poses must be 0 to {MOST_BETWEEN}, got {count!r}")
     return count
+
+
+def find_handle(work: Workspace, key: int) -> Handle:
+    """The handle with this key. Raises CommandError."""
+    handle = work.document.find(key)
+    if handle is None:
+        raise CommandError(f"there is no handle with key {key!r}")
+    return handle

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from app.editor.actions import ACTIONS
@@ -10,11 +11,12 @@ from app.editor.softness_warnings import Warning, softness_warnings
 from app.model.document import Document
 from app.model.handles import FIRST_HANDLE, FIXED
 from app.tools.table import TOOLS
-from app.viewpoint.events import Input
+from app.viewpoint.events import ENTER, Input
 from app.viewpoint.viewpoint import Motion
 from app.workspace.color_maps import MAPS
 from app.workspace.ghost import ghost as rest_ghost
 from app.workspace.latest import Latest
+from app.workspace.operator import Operator
 from app.workspace.overlay import NOTHING, Overlay
 from app.workspace.regions import Borders, border_lines
 from app.workspace.scene import Dots, Lines, Scene, dot_radius
@@ -48,6 +50,7 @@ class Editor(Workspace):
         self._ghost: Latest[FloatArray] = Latest()
         self._warnings: Latest[tuple[Warning, ...]] = Latest()
         self._left: Motion | None = None  # what the button that is down does to the camera
+        self._refusing = False  # the secondary button is down that took an operator back
 
     def step(self, frame: Input) -> None:
         """One frame: advance a stroke or drag, take finished binds, pose the surface."""
@@ -57,7 +60,8 @@ class Editor(Workspace):
         except (SolverError, OSError) as error:
             self.cancel()
             self.say(str(error), "error")
-        self.viewpoint.advance(frame, self._left, lambda: self._point(frame))
+        seen = replace(frame, secondary=False) if self._refusing else frame
+        self.viewpoint.advance(seen, self._left, lambda: self._point(frame))
         self.last_input = frame
         self.cursor = self._cursor(frame)
 
@@ -84,6 +88,11 @@ class Editor(Workspace):
     def captures(self) -> bool:
         """Whether a stroke or a drag has the mouse, and the primary button leaves the camera."""
         return self.interaction is not None
+
+    @property
+    def hears(self) -> bool:
+        """Whether what is typed goes to an operator, and no shortcut but Esc is meant."""
+        return isinstance(self.interaction, Operator)
 
     @property
     def busy(self) -> bool:
@@ -136,7 +145,7 @@ class Editor(Workspace):
     @property
     def colors_version(self) -> tuple[object, ...]:
         """Differs whenever `colors` may."""
-        return (self.map, self.active and self.active.key, MAPS[self.map].version(self))
+        return (self.map, self.selected, MAPS[self.map].version(self))
 
     @property
     def positions_version(self) -> int:
@@ -185,11 +194,10 @@ class Editor(Workspace):
         """The borders of what is held; those before while a stroke is changing them."""
         if self.interaction is None or self._borders is None:
             self._borders = self.regions.borders(self.document)
-        borders, active = self._borders, self.active
-        key = active.key if active else None
+        borders, selected = self._borders, tuple(handle.key for handle in self.selected)
         radius = self.viewpoint.line_radius
-        version = borders, self.positions_version, key, radius
-        return self._lines(version, lambda: border_lines(borders, self.positions, key, radius))
+        version = borders, self.positions_version, selected, radius
+        return self._lines(version, lambda: border_lines(borders, self.positions, selected, radius))
 
     def _pinned(self, positions: FloatArray) -> Dots | None:
         """A dot on every pinned vertex."""
@@ -206,6 +214,11 @@ class Editor(Workspace):
         )
 
     def _advance(self, frame: Input) -> None:
+        self._refusing = self._refusing and frame.secondary
+        operator = self.interaction
+        if isinstance(operator, Operator) and (operator.modal or not frame.pressed):
+            self._operate(operator, frame)
+            return
         if frame.pressed:
             self.finish()  # a release that nobody saw
             self._begin(frame)
@@ -216,6 +229,19 @@ class Editor(Workspace):
         if not frame.down:
             self._touch(frame)
             self._left = None
+            self.finish()
+
+    def _operate(self, operator: Operator, frame: Input) -> None:
+        """An operator follows the cursor and hears the keys until it is kept or taken back."""
+        if operator.modal and frame.secondary:
+            self._refusing = True
+            self.cancel()
+            return
+        if frame.typed:
+            operator.type(frame.typed)
+        operator.move(frame)
+        done = frame.pressed if operator.modal else not frame.down
+        if done or ENTER in frame.typed:
             self.finish()
 
     def _begin(self, frame: Input) -> None:
@@ -242,6 +268,7 @@ class Editor(Workspace):
         return None if hit is None else hit.position
 
     def _cursor(self, frame: Input) -> Overlay:
+        if isinstance(self.interaction, Operator):
+            return self.interaction.overlay(frame)
         cursor = TOOLS[self.tool].cursor
-        orbiting = frame.down and not self.captures
-        return NOTHING if cursor is None or orbiting else cursor(self, frame)
+        return NOTHING if cursor is None else cursor(self, frame)

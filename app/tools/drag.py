@@ -50,7 +50,7 @@ class Drag:
             return
         self._done = asked
         transform = self._turned(target) if work.turn else self._shifted(target)
-        self.gesture.change("pose", work.posed(self.key, transform))
+        self.gesture.change("pose", work.posed(work.document.pose, {self.key: transform}))
 
     def finish(self) -> None:
         """Keep the drag as one entry of the history."""

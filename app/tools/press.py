@@ -6,11 +6,12 @@ from typing import ClassVar
 
 from app.model.handles import FIXED
 from app.tools.drag import Drag
+from app.tools.gizmo.begin import gizmo_cursor
 from app.tools.grab import Grab
 from app.tools.tool import brush_cursor
 from app.viewpoint.events import Input
 from app.workspace.nearby import near_handle
-from app.workspace.overlay import HOVERED, NOTHING, Outline, Overlay
+from app.workspace.overlay import HOVERED, Outline, Overlay
 from app.workspace.workspace import Interaction, Workspace
 
 NEAR_HANDLE = 10.0  # pixels beside a handle that still count
@@ -36,7 +37,7 @@ def begin_drag(work: Workspace, press: Input) -> Interaction | None:
     near = near_handle(work, press, NEAR_HANDLE)
     if near is not None:
         key, point = near
-        work.activate(key)
+        work.activate(key, alone=False)
         return Drag(work, press, key, point)
     hit = work.under(press)
     if hit is None:
@@ -48,14 +49,15 @@ def begin_drag(work: Workspace, press: Input) -> Interaction | None:
 
 
 def drag_cursor(work: Workspace, frame: Input) -> Overlay:
-    """The outline of the handle that a press would take, or the rim of what it would grab."""
-    if work.interaction is not None:
-        return NOTHING
+    """The gizmo, and the outline of the handle or the rim of the region that a press would take."""
+    gizmo, part = gizmo_cursor(work, frame)
+    if work.interaction is not None or frame.down or part is not None:
+        return gizmo
     near = near_handle(work, frame, NEAR_HANDLE)
     if near is not None:
         border = work.regions.borders(work.document).of(near[0])
-        return Overlay((Outline(work.positions[border], HOVERED),))
+        return gizmo.over(Overlay((Outline(work.positions[border], HOVERED),)))
     hit = work.under(frame)
     if hit is None or work.document.role[hit.vertex] == FIXED:
-        return NOTHING
-    return brush_cursor(work, frame)
+        return gizmo
+    return gizmo.over(brush_cursor(work, frame))

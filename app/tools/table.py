@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from app.tools.gizmo.begin import begin_gizmo
 from app.tools.press import begin_drag, drag_cursor
 from app.tools.role_strokes import paint_fixed, paint_handle
+from app.tools.select_handle import begin_select
 from app.tools.softness_strokes import paint_softness
-from app.tools.tool import Tool, brush_cursor
+from app.tools.tool import Tool, brush_cursor, first_of
 
 TOOLS = {
     "navigate": Tool("Navigate", "1"),
@@ -29,9 +31,9 @@ TOOLS = {
     "drag": Tool(
         "Drag",
         "5",
-        begin_drag,
+        first_of(begin_gizmo, begin_select, begin_drag),
         drag_cursor,
-        options=("turns by itself", "keep"),
+        options=("turns by itself", "keep", "gizmo", "place"),
         map="roles",
         keeps_heat=True,
         hint="Drag a handle or the surface, click to pin",

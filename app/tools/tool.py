@@ -52,10 +52,21 @@ def on_surface(begin: Callable[[Workspace, Input, Hit], Interaction | None]) -> 
     return begin_there
 
 
+def first_of(*begins: Begin) -> Begin:
+    """What the first of these starts that starts anything."""
+
+    def begin_one(work: Workspace, press: Input) -> Interaction | None:
+        started = (begin(work, press) for begin in begins)
+        return next((one for one in started if one is not None), None)
+
+    return begin_one
+
+
 def brush_cursor(work: Workspace, frame: Input) -> Overlay:
     """The rim of the brush on the surface under the cursor, in another colour where it erases."""
     hit = near_surface(work, frame, NEAR_SURFACE)
-    if hit is None:
+    orbiting = frame.down and work.interaction is None
+    if hit is None or orbiting:
         return NOTHING
     color = ERASING if frame.shift else PAINTING
     corners = work.positions[work.parts.faces[hit.face]]

@@ -7,6 +7,8 @@ from functools import cached_property
 
 from app.viewpoint.camera import Camera, Pixel, Ray
 
+BACKSPACE, ENTER = "\b", "\n"
+
 
 @dataclass(frozen=True, eq=False)
 class Input:
@@ -19,6 +21,7 @@ class Input:
     clicks: how many presses in quick succession a press is the last of.
     secondary, middle: these buttons are down.  wheel: notches, away from the person positive.
     shift, ctrl, alt: these keys are down.
+    typed: what went down in this frame of digits, ".", "-", x, y, z, BACKSPACE and ENTER.
     """
 
     pixel: Pixel | None
@@ -33,6 +36,7 @@ class Input:
     shift: bool = False
     ctrl: bool = False
     alt: bool = False
+    typed: str = ""
 
     @cached_property
     def ray(self) -> Ray | None:

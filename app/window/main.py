@@ -142,7 +142,7 @@ class Window:
     def _frame(self) -> None:
         editor, view = self._editor, self._view
         editor.viewpoint.fit(ps.get_window_size(), scaled(WIDTH))
-        asked = [*read_shortcuts(editor.brush), *self._panel.draw(editor)]
+        asked = [*read_shortcuts(editor.brush, editor.hears), *self._panel.draw(editor)]
         asked += [open_command(path) for path in self._drops]
         self._drops = []
         self._rest = False

@@ -6,9 +6,24 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.viewpoint.camera import Camera
-from app.viewpoint.events import Input
+from app.viewpoint.events import BACKSPACE, ENTER, Input
 from app.window.shortcuts import SHORTCUTS, Shortcut
 from app.workspace.brush import Brush
+
+TYPED = {
+    **{getattr(psim, f"ImGuiKey_{digit}"): digit for digit in "0123456789"},
+    **{getattr(psim, f"ImGuiKey_Keypad{digit}"): digit for digit in "0123456789"},
+    **{getattr(psim, f"ImGuiKey_{letter.upper()}"): letter for letter in "xyz"},
+    psim.ImGuiKey_Minus: "-",
+    psim.ImGuiKey_KeypadSubtract: "-",
+    psim.ImGuiKey_Period: ".",
+    psim.ImGuiKey_Comma: ".",
+    psim.ImGuiKey_KeypadDecimal: ".",
+    psim.ImGuiKey_Backspace: BACKSPACE,
+    psim.ImGuiKey_Enter: ENTER,
+    psim.ImGuiKey_KeypadEnter: ENTER,
+}
+BEGIN_OPERATOR = c.MoveHandles, c.TurnHandles
 
 
 def read_mouse(camera: Camera) -> Input:
@@ -30,11 +45,15 @@ def read_mouse(camera: Camera) -> Input:
         shift=_held(io.KeyShift, psim.ImGuiKey_LeftShift, psim.ImGuiKey_RightShift),
         ctrl=_held(io.KeyCtrl, psim.ImGuiKey_LeftCtrl, psim.ImGuiKey_RightCtrl),
         alt=io.KeyAlt,
+        typed=_typed(),
     )
 
 
-def read_shortcuts(brush: Brush) -> list[c.Command]:
-    """The commands of keys that went down in this frame, or are held; none while somebody types."""
+def read_shortcuts(brush: Brush, heard: bool) -> list[c.Command]:
+    """The commands of keys that went down in this frame, or are held; none while somebody types.
+
+    heard: an operator hears the keys, so that none but Esc is a shortcut.
+    """
     io = psim.GetIO()
     if io.WantTextInput:
         return []
@@ -43,11 +62,24 @@ def read_shortcuts(brush: Brush) -> list[c.Command]:
     ctrl = _held(ctrl, psim.ImGuiKey_LeftSuper, psim.ImGuiKey_RightSuper)
     shift = _held(io.KeyShift, psim.ImGuiKey_LeftShift, psim.ImGuiKey_RightShift)
     # A frame that sees Ctrl let go may also see the plain key that was pressed after it.
-    return [
+    asked: list[c.Command] = [
         shortcut.command(brush)
         for shortcut in SHORTCUTS
         if (ctrl and shortcut.shift == shift if shortcut.ctrl else not ctrl_now) and _asks(shortcut)
     ]
+    if heard:
+        return [command for command in asked if isinstance(command, c.CancelGesture)]
+    # What went down in the same frame was typed after the key of an operator, and is for it.
+    operator = next((command for command in asked if isinstance(command, BEGIN_OPERATOR)), None)
+    return asked if operator is None else [operator]
+
+
+def _typed() -> str:
+    """See Input.typed; empty while somebody types in a field, or with Ctrl."""
+    io = psim.GetIO()
+    if io.WantTextInput or io.KeyCtrl or io.KeySuper:
+        return ""
+    return "".join(text for key, text in TYPED.items() if psim.IsKeyPressed(key, False))
 
 
 def _asks(shortcut: Shortcut) -> bool:

@@ -73,6 +73,8 @@ SHORTCUTS = (
     Shortcut("Ctrl+S", "Save session", psim.ImGuiKey_S, _always(WindowAction("save")), ctrl=True),
     Shortcut("Ctrl+E", "Export mesh", psim.ImGuiKey_E, _always(WindowAction("export")), ctrl=True),
     Shortcut("Ctrl+R", "Reset pose", psim.ImGuiKey_R, _always(c.ResetPose()), ctrl=True),
+    Shortcut("G", "Move handles (X, Y, Z, a number)", psim.ImGuiKey_G, _always(c.MoveHandles())),
+    Shortcut("R", "Turn handles (X, Y, Z, a number)", psim.ImGuiKey_R, _always(c.TurnHandles())),
     Shortcut(
         "F",
         "Frame the handle, the part under the cursor, all",

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 
 import numpy as np
 
 from app.model.document import Document, clock
-from app.model.handles import GRAB
+from app.model.handles import GRAB, Pose
 from app.worker.client import Worker
 from app.worker.requests import (
     BindRequest,
@@ -111,6 +111,22 @@ class LiveSurface:
         if not np.isfinite(transform).all():
             raise PoseError("the solver returned a rotation that is not finite; drag ended")
         return transform
+
+    def placed(self, pose: Pose, keys: Collection[int]) -> Pose:
+        """The pose with some handles shifted to where they cost the least energy, as turned.
+
+        Those that the bind in use does not know stay. Raises SolverError.
+        """
+        bound = self.bound.request.keys if self.bound else ()
+        numbers = [number for number, key in enumerate(bound) if key in keys]
+        if self.bound is None or not numbers:
+            return pose
+        transforms = self.bound.model.place(numbers, pose.stacked(bound))
+        if not np.isfinite(transforms).all():
+            raise PoseError("the solver returned a place that is not finite; turning ended")
+        for number in numbers:
+            pose = pose.moved(bound[number], transforms[number])
+        return pose
 
     def holds(self, key: int) -> bool:
         """Whether the bind in use knows this handle."""

@@ -1,4 +1,4 @@
-"""What is drawn over the scene, as data: lines of constant width, and words."""
+"""What is drawn over the scene, as data: lines of constant width, filled shapes, words."""
 
 from __future__ import annotations
 
@@ -19,10 +19,13 @@ class Outline:
     """Lines over the scene, seen through whatever is before them. segments: (k, 2, 3) their ends.
 
     They show where a tool acts: the rim of the brush, the loop of a selection.
+    width: in pixels.  opacity: 1 hides what is below.
     """
 
     segments: FloatArray
     color: Color
+    width: float = 2.0
+    opacity: float = 1.0
 
     @staticmethod
     def through(corners: FloatArray, color: Color, closed: bool = True) -> Outline:
@@ -30,6 +33,14 @@ class Outline:
         ends = np.roll(corners, -1, axis=0)
         segments = np.stack([corners, ends], axis=1)
         return Outline(segments if closed else segments[:-1], color)
+
+
+@dataclass(frozen=True, eq=False)
+class Fill:
+    """A filled convex shape over the scene. corners: (k, 3), in their order around it."""
+
+    corners: FloatArray
+    color: Color
 
 
 @dataclass(frozen=True)
@@ -46,6 +57,13 @@ class Overlay:
 
     outlines: tuple[Outline, ...] = ()
     labels: tuple[Label, ...] = ()
+    fills: tuple[Fill, ...] = ()
+
+    def over(self, other: Overlay) -> Overlay:
+        """This one and another, which lies below it."""
+        return Overlay(
+            other.outlines + self.outlines, other.labels + self.labels, other.fills + self.fills
+        )
 
 
 NOTHING = Overlay()

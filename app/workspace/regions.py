@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -13,7 +14,7 @@ from app.workspace.latest import Latest
 from app.workspace.scene import Lines
 from solver.types import BoolArray, FloatArray, IntArray
 
-ACTIVE, DARK = (1.0, 1.0, 1.0), (0.1, 0.1, 0.13)
+SELECTED, DARK = (1.0, 1.0, 1.0), (0.1, 0.1, 0.13)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,12 +79,12 @@ def _borders(document: Document) -> Borders:
 
 
 def border_lines(
-    borders: Borders, positions: FloatArray, active: int | None, radius: float
+    borders: Borders, positions: FloatArray, selected: Sequence[int], radius: float
 ) -> Lines | None:
-    """The borders as drawn: of the active handle white, of other handles dark, of what is fixed
+    """The borders as drawn: of selected handles white, of other handles dark, of what is fixed
     dark and broken, so that no colour is needed to tell them apart."""
     if not len(borders.nodes):
         return None
-    white = borders.role[borders.drawn] == active
-    colors = np.where(white[:, None], ACTIVE, DARK)
+    white = np.isin(borders.role[borders.drawn], selected)
+    colors = np.where(white[:, None], SELECTED, DARK)
     return Lines(positions[borders.nodes], borders.ends, colors, radius)

@@ -5,9 +5,9 @@ Editor adds the two ways in (`step` and `execute`); everything below it sees onl
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import ClassVar, Literal, Protocol
 
@@ -26,6 +26,7 @@ from app.workspace.live_surface import LiveSurface
 from app.workspace.looks import PLAIN, Looks
 from app.workspace.parts import Parts
 from app.workspace.picking import Hit, Picker
+from app.workspace.placing import Pivots, Placing
 from app.workspace.recent import Recent
 from app.workspace.regions import Regions
 from app.workspace.symmetry import Symmetry
@@ -64,7 +65,8 @@ class Workspace:
     """One open document with its history and its surface on screen, and what a person chose.
 
     tool: a name in tools.TOOLS.  map: a name in color_maps.MAPS.  turn: dragged handles turn by
-    themselves.  keep: what was grabbed stays where it was taken.  blend: of two poses.
+    themselves.  keep: what was grabbed stays where it was taken.
+    placing: how handles are placed exactly.  blend: of two poses.
     looks: how the surface is drawn.  recent: the files opened or saved last.
     symmetry: the mirror across which all happens twice, None for none.
     message: the last one, None before the first.  interaction: the stroke or drag in progress.
@@ -86,6 +88,7 @@ class Workspace:
         self.brush = Brush()
         self.turn = True
         self.keep = False
+        self.placing = Placing()
         self.map = "roles"
         self.looks: Looks = PLAIN
         self.message: Message | None = None
@@ -105,6 +108,8 @@ class Workspace:
         self.history = History()
         self.surface = LiveSurface(document.rest_positions, self.worker, self._complain)
         self.neighbours = Neighbours(mesh.vertices, mesh.faces)
+        self.pivots = Pivots(self.neighbours.edges)
+        self.placing = replace(self.placing, points={})
         self.blend = Blend()
         self.heat = Heat(mesh)
         self.parts = Parts(mesh)
@@ -116,6 +121,7 @@ class Workspace:
         self._centres: Latest[dict[int, FloatArray]] = Latest()
         self.last_input: Input | None = None
         self._active = document.handles[0].key if document.handles else None
+        self._selected: frozenset[int] = frozenset()
         self._diagonal = document.diagonal  # found now, not at the first stroke
         self.viewpoint.show(document.rest_positions[mesh.pieces >= 0])
 
@@ -177,16 +183,17 @@ class Workspace:
         self.picker = Picker(self.document.mesh.vertices, self.parts.faces)
         self._under = Latest()
 
-    def posed(self, key: int, transform: FloatArray) -> Pose:
-        """The pose with one handle elsewhere, and the one that mirrors it with it."""
-        document = self.document
-        pose = document.pose.moved(key, transform)
+    def posed(self, pose: Pose, transforms: Mapping[int, FloatArray]) -> Pose:
+        """A pose with some handles elsewhere, (4, 4) by key, and those that mirror them too."""
+        for key, T in transforms.items():
+            pose = pose.moved(key, T)
         if self.symmetry is None:
             return pose
-        other = self.symmetry.handle(document, key)
-        if other is None or other == key:
-            return pose
-        return pose.moved(other, self.symmetry.transform(transform))
+        for key, T in transforms.items():
+            other = self.symmetry.handle(self.document, key)
+            if other is not None and other not in transforms:
+                pose = pose.moved(other, self.symmetry.transform(T))
+        return pose
 
     @property
     def positions(self) -> FloatArray:
@@ -211,6 +218,38 @@ class Workspace:
         handles = self.document.handles
         return self.document.find(self._active) or (handles[-1] if handles else None)
 
-    def activate(self, key: int) -> None:
-        """Choose the active handle."""
+    def activate(self, key: int, alone: bool = True) -> None:
+        """Choose the active handle.
+
+        alone: select no other; else a selection that holds it stays.
+        """
+        if alone or key not in self._selected:
+            self._selected = frozenset()
         self._active = key
+
+    @property
+    def selected(self) -> tuple[Handle, ...]:
+        """The handles that are placed together, the active one first."""
+        active = self.active
+        if active is None:
+            return ()
+        others = (handle for handle in self.document.handles if handle.key in self._selected)
+        return (active, *(handle for handle in others if handle != active))
+
+    def select(self, key: int) -> None:
+        """Add a handle to the selection, and make it the active one; or take it out.
+
+        The last one stays selected.
+        """
+        keys = [handle.key for handle in self.selected]
+        if key not in keys:
+            keys.insert(0, key)
+        elif len(keys) > 1:
+            keys.remove(key)
+        self._active, self._selected = keys[0], frozenset(keys)
+
+    @property
+    def pivot(self) -> FloatArray | None:
+        """(3,) what the selected handles turn about; None where they have no vertices."""
+        keys = [handle.key for handle in self.selected]
+        return self.pivots.of(self.document, keys, self.placing)

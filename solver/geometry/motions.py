@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 from solver.types import FloatArray
 
 ORIGIN = (0.0, 0.0, 0.0)
+UPRIGHT = 1e-9  # cosine of y below which rounding would choose the other two Euler angles
 
 
 def rotation(axis: ArrayLike, degrees: float) -> FloatArray:
@@ -24,6 +25,29 @@ def motion(R: FloatArray, shift: ArrayLike = ORIGIN, centre: ArrayLike = ORIGIN)
     T[:3, :3] = R
     T[:3, 3] = np.asarray(centre) - R @ np.asarray(centre) + np.asarray(shift)
     return T
+
+
+def from_euler_angles(degrees: ArrayLike) -> FloatArray:
+    """R, (3, 3): turned about the world's x, then y, then z, by degrees (3,)."""
+    x, y, z = (
+        rotation(axis, angle)
+        for axis, angle in zip(np.eye(3), np.asarray(degrees, dtype=np.float64), strict=True)
+    )
+    return np.asarray(z @ y @ x)
+
+
+def euler_angles(R: FloatArray) -> FloatArray:
+    """(3,) degrees about x, y and z: what from_euler_angles makes R (3, 3) of.
+
+    y lies in [-90, 90]. At its ends x and z turn about the same axis; z is 0 there.
+    """
+    level = float(np.hypot(R[0, 0], R[1, 0]))
+    y = np.arctan2(-R[2, 0], level)
+    if level > UPRIGHT:
+        x, z = np.arctan2(R[2, 1], R[2, 2]), np.arctan2(R[1, 0], R[0, 0])
+    else:
+        x, z = np.arctan2(-R[1, 2], R[1, 1]), 0.0
+    return np.degrees([x, y, z])
 
 
 def rotation_about(axis: ArrayLike, degrees: float, centre: ArrayLike = ORIGIN) -> FloatArray:

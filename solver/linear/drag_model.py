@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from solver.arrays import as_floats
 from solver.errors import ConstraintError
+from solver.linear.best_place import best_shifts
 from solver.linear.best_rotation import NEGLIGIBLE, best_rotation
 from solver.types import FloatArray, IntArray
 
@@ -104,6 +105,20 @@ class DragModel:
         T[:3, :3] = R
         T[:3, 3] = q - R @ p
         return T
+
+    def place(self, handles: Sequence[int], transforms: Transforms) -> FloatArray:
+        """(h, 4, 4): every transform, some handles shifted to where they cost the least energy.
+
+        What a handle that is turned does if nothing says where it is to be; it keeps its rotation.
+        Raises ConstraintError.
+        """
+        if not all(0 <= handle < self.handle_count for handle in handles):
+            raise ConstraintError(f"handles must be 0 to {self.handle_count - 1}, got {handles}")
+        steps = self.steps(transforms)
+        placed = np.array(transforms, dtype=np.float64)
+        shifts = best_shifts(self.form, handles, steps, self.stiffness)
+        placed[list(handles), :3, 3] += self.scale * shifts
+        return placed
 
     def is_loose(self, handle: int) -> bool:
         """Whether a handle moves alone at no cost: nothing else holds what it is part of."""

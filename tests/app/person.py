@@ -71,16 +71,38 @@ class Person:
         self.centre = mesh.vertices.mean(axis=0)
         self.eye = self.centre + np.asarray(eye, dtype=float)
 
-    def frame(self, point: ArrayLike | None = None, mouse: str = "", shift: bool = False) -> None:
-        """One frame with the cursor on a point; mouse: some of p(ressed), d(own), r(eleased)."""
+    def frame(
+        self,
+        point: ArrayLike | None = None,
+        mouse: str = "",
+        shift: bool = False,
+        ctrl: bool = False,
+        typed: str = "",
+    ) -> None:
+        """One frame with the cursor on a point.
+
+        mouse: some of p(ressed), d(own), r(eleased), of the other buttons s(econdary), m(iddle).
+        """
         camera = Camera.look_at(self.eye, self.centre, FIELD_OF_VIEW, (1280, 800))
         pixel = None
         if point is not None:
             inward = np.asarray(point, dtype=float) + INWARD * (self.centre - point)
             ((x, y),) = camera.project(inward[None])
             pixel = float(x), float(y)
-        buttons = {"pressed": "p" in mouse, "down": "d" in mouse, "released": "r" in mouse}
-        self.editor.step(Input(pixel, camera, **buttons, shift=shift))
+        self.editor.step(
+            Input(
+                pixel,
+                camera,
+                pressed="p" in mouse,
+                down="d" in mouse,
+                released="r" in mouse,
+                shift=shift,
+                ctrl=ctrl,
+                typed=typed,
+                secondary="s" in mouse,
+                middle="m" in mouse,
+            )
+        )
 
     def hold(self, points: Iterable[ArrayLike], shift: bool = False) -> Iterator[int]:
         """Press on the first point, move through the others: yields after each frame."""

@@ -6,6 +6,7 @@ from app.editor.action import Actions
 from app.editor.actions.choices import CHOICE_ACTIONS
 from app.editor.actions.history import HISTORY_ACTIONS
 from app.editor.actions.parts import PART_ACTIONS
+from app.editor.actions.placing import PLACING_ACTIONS
 from app.editor.actions.poses import POSE_ACTIONS
 from app.editor.actions.regions import REGION_ACTIONS
 from app.editor.actions.rest import REST_ACTIONS
@@ -24,6 +25,7 @@ ACTIONS: Actions = {
     **PART_ACTIONS,
     **POSE_ACTIONS,
     **REST_ACTIONS,
+    **PLACING_ACTIONS,
     **HISTORY_ACTIONS,
     **SYMMETRY_ACTIONS,
     **VIEW_ACTIONS,

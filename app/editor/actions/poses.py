@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from app.editor import commands as c
-from app.editor.action import Actions, check_between
+from app.editor.action import Actions, check_between, find_handle
 from app.model.document import Document
 from app.model.handles import Pose
 from app.model.poses import REST, REST_NAME, KeptPose, blended_pose
@@ -127,6 +127,12 @@ def _name_of_copy(document: Document, name: str) -> str:
     return f"{name} {number}"
 
 
+def reset_handle(work: Workspace, command: c.ResetHandle) -> None:
+    handle = find_handle(work, command.key)
+    with work.edit(f"Reset {handle.name}") as gesture:
+        gesture.change("pose", work.document.pose.without(handle.key))
+
+
 POSE_ACTIONS: Actions = {
     c.ResetPose: reset_pose,
     c.KeepPose: keep_pose,
@@ -138,4 +144,5 @@ POSE_ACTIONS: Actions = {
     c.GoToPose: go_to_pose,
     c.BlendPoses: blend_poses,
     c.ChooseBlend: choose_blend,
+    c.ResetHandle: reset_handle,
 }

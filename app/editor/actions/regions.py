@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from app.editor import commands as c
-from app.editor.action import Actions
-from app.model.handles import FREE, Handle
+from app.editor.action import Actions, find_handle
+from app.model.handles import FREE
 from app.model.poses import without_handle
 from app.workspace.workspace import Workspace
 
@@ -19,7 +19,7 @@ def add_handle(work: Workspace, command: c.AddHandle) -> None:
 
 
 def rename_handle(work: Workspace, command: c.RenameHandle) -> None:
-    handle, name = _handle(work, command.key), command.name.strip()
+    handle, name = find_handle(work, command.key), command.name.strip()
     if not name:
         raise c.CommandError("a handle's name must not be empty")
     with work.edit(f"Rename {handle.name}", merge=f"rename {handle.key}") as gesture:
@@ -29,7 +29,7 @@ def rename_handle(work: Workspace, command: c.RenameHandle) -> None:
 
 
 def remove_handle(work: Workspace, command: c.RemoveHandle) -> None:
-    document, handle = work.document, _handle(work, command.key)
+    document, handle = work.document, find_handle(work, command.key)
     with work.edit(f"Remove {handle.name}") as gesture:
         gesture.change("role", FREE, document.vertices_of(handle.key))
         gesture.change("handles", tuple(h for h in document.handles if h is not handle))
@@ -38,7 +38,11 @@ def remove_handle(work: Workspace, command: c.RemoveHandle) -> None:
 
 
 def activate_handle(work: Workspace, command: c.ActivateHandle) -> None:
-    work.activate(_handle(work, command.key).key)
+    work.activate(find_handle(work, command.key).key)
+
+
+def select_handle(work: Workspace, command: c.SelectHandle) -> None:
+    work.select(find_handle(work, command.key).key)
 
 
 def clear_fixed(work: Workspace, command: c.ClearFixed) -> None:
@@ -47,16 +51,9 @@ def clear_fixed(work: Workspace, command: c.ClearFixed) -> None:
 
 
 def clear_handle(work: Workspace, command: c.ClearHandle) -> None:
-    handle = _handle(work, command.key)
+    handle = find_handle(work, command.key)
     with work.edit(f"Clear {handle.name}") as gesture:
         gesture.change("role", FREE, work.document.vertices_of(handle.key))
-
-
-def _handle(work: Workspace, key: int) -> Handle:
-    handle = work.document.find(key)
-    if handle is None:
-        raise c.CommandError(f"there is no handle with key {key!r}")
-    return handle
 
 
 REGION_ACTIONS: Actions = {
@@ -64,6 +61,7 @@ REGION_ACTIONS: Actions = {
     c.RenameHandle: rename_handle,
     c.RemoveHandle: remove_handle,
     c.ActivateHandle: activate_handle,
+    c.SelectHandle: select_handle,
     c.ClearFixed: clear_fixed,
     c.ClearHandle: clear_handle,
 }

@@ -5,6 +5,14 @@ from app.editor.commands.command import Command, CommandError
 from app.editor.commands.files import Export, OpenMesh, OpenSession, SaveSession
 from app.editor.commands.history import CancelGesture, Redo, Undo
 from app.editor.commands.parts import SetFollows, ShowPart
+from app.editor.commands.placing import (
+    MoveHandles,
+    PickPivot,
+    SetPlacing,
+    SetPosition,
+    SetRotation,
+    TurnHandles,
+)
 from app.editor.commands.poses import (
     BlendPoses,
     ChooseBlend,
@@ -17,6 +25,7 @@ from app.editor.commands.poses import (
     MovePose,
     RenamePose,
     ReplacePose,
+    ResetHandle,
     ResetPose,
     RestoreRest,
 )
@@ -27,6 +36,7 @@ from app.editor.commands.regions import (
     ClearHandle,
     RemoveHandle,
     RenameHandle,
+    SelectHandle,
 )
 from app.editor.commands.settings import SetMaterial, SetSetting
 from app.editor.commands.softness import ClearPins, ClearSoftness, FillSoftness, SmoothSoftness
@@ -57,23 +67,30 @@ __all__ = [
     "MakeRest",
     "MirrorPose",
     "MirrorRegions",
+    "MoveHandles",
     "MovePose",
     "OpenMesh",
     "OpenSession",
+    "PickPivot",
     "Redo",
     "RemoveHandle",
     "RenameHandle",
     "RenamePose",
     "ReplacePose",
+    "ResetHandle",
     "ResetPose",
     "RestoreRest",
     "SaveSession",
+    "SelectHandle",
     "SetBrush",
     "SetFollows",
     "SetKeep",
     "SetLooks",
     "SetMap",
     "SetMaterial",
+    "SetPlacing",
+    "SetPosition",
+    "SetRotation",
     "SetSetting",
     "SetSymmetry",
     "SetTool",
@@ -82,6 +99,7 @@ __all__ = [
     "ShowPart",
     "SmoothSoftness",
     "ToggleSymmetry",
+    "TurnHandles",
     "Undo",
     "ViewFrom",
 ]

@@ -106,3 +106,10 @@ class MakeRest(Command):
 @dataclass(frozen=True)
 class RestoreRest(Command):
     """The file's shape is the rest shape again; the pose and the kept ones lead where they did."""
+
+
+@dataclass(frozen=True)
+class ResetHandle(Command):
+    """One handle back to rest."""
+
+    key: int

@@ -35,6 +35,13 @@ class ActivateHandle(Command):
 
 
 @dataclass(frozen=True)
+class SelectHandle(Command):
+    """Place a handle together with those selected, as the active one; or no longer."""
+
+    key: int
+
+
+@dataclass(frozen=True)
 class ClearFixed(Command):
     """Free all fixed vertices."""
 

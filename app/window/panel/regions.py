@@ -27,11 +27,11 @@ def regions(editor: Editor, asked: list[c.Command]) -> None:
     _row("soft", SOFT_COLOR, soft, c.ClearSoftness(), asked)
     for handle in document.handles:
         psim.PushID(str(handle.key))
-        active = editor.active is not None and handle.key == editor.active.key
         swatch(handle_color(handle.key))
-        if psim.RadioButton("##active", active):
-            asked.append(c.ActivateHandle(handle.key))
-        psim.SetItemTooltip("Paint and drag this handle")
+        if psim.RadioButton("##active", handle in editor.selected):
+            choose = c.SelectHandle if psim.GetIO().KeyCtrl else c.ActivateHandle
+            asked.append(choose(handle.key))
+        psim.SetItemTooltip("Paint and drag this handle; Ctrl+click to move several together")
         psim.SameLine()
         count = f"{len(document.vertices_of(handle.key)):,}"
         psim.SetNextItemWidth(_room_before(count))

@@ -9,8 +9,17 @@ import polyscope.imgui as psim
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.tools.softness_strokes import SOFTNESS_MODES
-from app.window.panel.widgets import disabled, halves, logarithmic
+from app.window.panel.place import PlaceRows
+from app.window.panel.widgets import REST_OF_LINE, disabled, halves, logarithmic
+from app.workspace.placing import AXES, PIVOTS
 
+PICK_WIDTH = 44.0
+NAMED = {"point": "picked point", "free": "place follows"}
+TIPS = {
+    "axes": "What the gizmo's axes are: the world's, the handle's own, or those of the view",
+    "pivot": "What a handle turns about: its centre, its border to what is free, a point; "
+    "or it turns, and the surface takes it along",
+}
 BRUSH_RADII = 0.005, 0.3
 
 
@@ -78,6 +87,29 @@ def keep(editor: Editor, asked: list[c.Command]) -> None:
         asked.append(c.SetKeep(on))
 
 
+def gizmo(editor: Editor, asked: list[c.Command]) -> None:
+    """Whether it shows, its axes, and what handles turn about; on the line of another switch."""
+    placing = editor.placing
+    psim.SameLine()
+    changed, on = psim.Checkbox("gizmo", placing.gizmo)
+    psim.SetItemTooltip("Rings turn, arrows move, the circle turns freely. Ctrl: round values")
+    if changed:
+        asked.append(c.SetPlacing(gizmo=on))
+    room = psim.GetContentRegionAvail()[0] - PICK_WIDTH - 2 * psim.GetStyle().ItemSpacing[0]
+    for field, names in (("axes", AXES), ("pivot", PIVOTS)):
+        psim.SetNextItemWidth(0.5 * room)
+        labels = [NAMED.get(name, f"{name} {field}") for name in names]
+        changed, index = psim.Combo(f"##{field}", names.index(getattr(placing, field)), labels)
+        psim.SetItemTooltip(TIPS[field])
+        if changed:
+            name = names[index]
+            asked.append(c.SetPlacing(axes=name) if names is AXES else c.SetPlacing(pivot=name))
+        psim.SameLine()
+    if psim.Button("pick", REST_OF_LINE):
+        asked.append(c.PickPivot())
+    psim.SetItemTooltip("Turn about the point of the surface that is clicked next")
+
+
 OPTIONS: dict[str, Callable[[Editor, list[c.Command]], None]] = {
     "brush radius": brush_radius,
     "new handle": new_handle,
@@ -85,4 +117,6 @@ OPTIONS: dict[str, Callable[[Editor, list[c.Command]], None]] = {
     "whole softness": whole_softness,
     "turns by itself": turns_by_itself,
     "keep": keep,
+    "gizmo": gizmo,
+    "place": PlaceRows(),
 }

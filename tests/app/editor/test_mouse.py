@@ -32,6 +32,7 @@ def test_the_camera_is_captured_during_strokes_and_drags_only(ready: Person, too
 @pytest.mark.parametrize("tool", list(TOOLS))
 def test_a_press_beside_the_mesh_is_left_to_the_camera(ready: Person, tool: str) -> None:
     ready.use(tool)
+    ready.do(c.SetPlacing(gizmo=False))
     before = state(ready.editor.document)
     for _ in ready.hold([OFF_THE_MESH, [19, 2, 0], [10, 2, 0]]):
         assert not ready.editor.captures
@@ -109,6 +110,7 @@ def test_cancel_restores_what_was_before(ready: Person) -> None:
 
 
 def test_what_a_press_would_do_hovers_over_the_surface(ready: Person) -> None:
+    ready.do(c.SetPlacing(gizmo=False))
     for tool in TOOLS:
         ready.use(tool)
         ready.frame([10, 2, 0])

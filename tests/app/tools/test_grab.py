@@ -97,7 +97,7 @@ def test_nothing_painted_two_clicks_and_a_drag(bar: Person) -> None:
 
 
 def test_a_pin_takes_free_vertices_alone_and_stands_where_the_surface_is(ready: Person) -> None:
-    ready.do(c.SetSetting("rigid", 0), c.SetBrush(radius=0.2))
+    ready.do(c.SetSetting("rigid", 0), c.SetBrush(radius=0.2), c.SetPlacing(gizmo=False))
     ready.stroke([19, 2, 0], [18, 5, 0])
     editor = ready.editor
     editor.settle()
@@ -134,6 +134,7 @@ def test_pins_are_saved_and_read_again(bar: Person, tmp_path: Path) -> None:
 
 def test_a_press_a_few_pixels_beside_a_handle_takes_it(ready: Person) -> None:
     """The right edge of the bar is at x = 20; from 60 units away a pixel is 0.06 wide."""
+    ready.do(c.SetPlacing(gizmo=False))
     ready.frame([20.4, 2, 0])
     (border,) = ready.editor.cursor.outlines
     key = ready.editor.document.handles[0].key

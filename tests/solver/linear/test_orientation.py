@@ -132,3 +132,53 @@ def test_turning_the_scene_turns_the_answer() -> None:
 def test_refuses_what_makes_no_sense(arguments: Any, text: str) -> None:
     with shapes.refuses(ConstraintError, text):
         Deformer(V, F, FIXED, [TIP]).orient(*arguments)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_no_place_of_a_turned_handle_has_less_energy(name: str) -> None:
+    deformer, handle, T = SCENES[name]
+    rng = np.random.default_rng(1)
+    turned = [np.array(one) for one in T]
+    turned[handle] = motion(rotation([0, 1, 2], 70), [3, 1, -2], V[TIP].mean(axis=0))
+    best = deformer.drag_model.place([handle], turned)
+    np.testing.assert_array_equal(best[handle, :3, :3], turned[handle][:3, :3])
+    np.testing.assert_array_equal(np.delete(best, handle, 0), np.delete(turned, handle, 0))
+    least = energy(deformer, list(best))
+    for length in (1e-3, 0.1, 5.0):
+        for _ in range(20):
+            shifted = best.copy()
+            shifted[handle, :3, 3] += length * rng.normal(size=3)
+            assert energy(deformer, list(shifted)) > least
+
+
+def test_handles_find_their_places_together() -> None:
+    deformer = Deformer(V, F, FIXED, [SIDE, TIP])
+    T = [motion(rotation([0, 0, 1], 30), [0, 3, 0]), motion(rotation([0, 0, 1], 60), [2, 0, 1])]
+    both = deformer.drag_model.place([0, 1], T)
+    for handle in (0, 1):  # neither can do better alone
+        np.testing.assert_allclose(deformer.drag_model.place([handle], both), both, atol=1e-9)
+    assert energy(deformer, list(both)) < energy(deformer, list(T))
+
+
+def test_a_handle_that_nothing_resists_keeps_its_place() -> None:
+    T = motion(rotation([0, 0, 1], 30), [0, 3, 0])
+    loose = Deformer(V, F, [], [TIP]).drag_model
+    np.testing.assert_allclose(loose.place([0], [T]), [T], atol=1e-9)
+    rest = Deformer(V, F, FIXED, [TIP]).drag_model.place([0], [np.eye(4)])
+    np.testing.assert_allclose(rest, [np.eye(4)], atol=1e-9)
+
+
+def test_a_limb_whose_tip_is_turned_bends_to_an_arc() -> None:
+    """Bent by a turn alone, it has the same curvature everywhere: its chord turns by half."""
+    deformer = Deformer(V, F, FIXED, [TIP])
+    (T,) = deformer.drag_model.place([0], [motion(rotation([0, 0, 1], 20))])
+    root, tip = np.array([1.0, 0, 0]), np.array([7.0, 0, 0])
+    x, y, z = T[:3, :3] @ tip + T[:3, 3] - root
+    assert np.degrees(np.arctan2(y, x)) == pytest.approx(10, abs=1)
+    assert abs(z) < 1e-6
+
+
+def test_only_handles_that_there_are_can_be_placed() -> None:
+    model = Deformer(V, F, FIXED, [TIP]).drag_model
+    with pytest.raises(ConstraintError, match=r"handles must be 0 to 0, got \[1\]"):
+        model.place([1], [np.eye(4)])

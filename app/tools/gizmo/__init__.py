@@ -1,0 +1,1 @@
+"""Handles turned and moved exactly: the gizmo, the operators on keys, numbers typed meanwhile."""

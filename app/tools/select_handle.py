@@ -1,0 +1,35 @@
+"""Ctrl+click: another handle to be placed together with those that are selected, or one less."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from app.tools.tool import on_surface
+from app.viewpoint.events import Input
+from app.workspace.picking import Hit
+from app.workspace.workspace import Interaction, Workspace
+
+
+class Click:
+    """An Interaction that is over when it begins: until its button is up nothing else happens."""
+
+    drags: ClassVar[bool] = False
+
+    def move(self, frame: Input) -> None:
+        """Nothing follows the cursor."""
+
+    def finish(self) -> None:
+        """Nothing to keep."""
+
+    def cancel(self) -> None:
+        """Nothing to take back."""
+
+
+@on_surface
+def begin_select(work: Workspace, press: Input, hit: Hit) -> Interaction | None:
+    """With Ctrl, the handle under the cursor joins or leaves the selection."""
+    handle = work.document.find(int(work.document.role[hit.vertex]))
+    if handle is None or not press.ctrl:
+        return None
+    work.select(handle.key)
+    return Click()
