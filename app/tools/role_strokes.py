@@ -9,11 +9,8 @@ import numpy as np
 from app.model.document import Document
 from app.model.handles import FIRST_HANDLE, FIXED, FREE
 from app.model.history import Gesture
-from app.tools.strokes import Paint, Stroke
-from app.tools.tool import on_surface
-from app.viewpoint.events import Input
-from app.workspace.picking import Hit
-from app.workspace.workspace import Interaction, Workspace
+from app.tools.marks import Marks, Paint
+from app.workspace.workspace import Workspace
 from solver.geometry.procrustes import rigid_motion
 from solver.types import BoolArray, FloatArray, IntArray
 
@@ -76,25 +73,32 @@ class HandlePaint(RolePaint):
             gesture.change("pose", pose)
 
 
-@on_surface
-def paint_fixed(work: Workspace, press: Input, hit: Hit) -> Interaction:
-    """A stroke that fixes vertices; with Shift one that frees them."""
-    paint: Paint = RolePaint("Paint fixed", FIXED)
-    if press.shift:
-        paint = RoleEraser(work.document, "Erase fixed", lambda role: role == FIXED)
-    return Stroke(work, press, hit, Gesture(work.document), paint)
+def _fixed_paint(work: Workspace, erase: bool, gesture: Gesture) -> Paint:
+    if erase:
+        return RoleEraser(work.document, "Erase fixed", lambda role: role == FIXED)
+    return RolePaint("Paint fixed", FIXED)
 
 
-@on_surface
-def paint_handle(work: Workspace, press: Input, hit: Hit) -> Interaction:
-    """A stroke that adds to the active handle, or makes the first; with Shift one that erases."""
-    gesture = Gesture(work.document)
-    if press.shift:
-        eraser = RoleEraser(work.document, "Erase handle", lambda role: role >= FIRST_HANDLE)
-        return Stroke(work, press, hit, gesture, eraser)
+def _handle_paint(work: Workspace, erase: bool, gesture: Gesture) -> Paint:
+    """Adds to the active handle, or makes the first; an eraser frees the vertices of any."""
+    if erase:
+        return RoleEraser(work.document, "Erase handle", lambda role: role >= FIRST_HANDLE)
     handle = work.active
     if handle is None:
         handle = work.document.new_handle()
         gesture.change("handles", (*work.document.handles, handle))
     work.activate(handle.key)
-    return Stroke(work, press, hit, gesture, HandlePaint(work, handle.key))
+    return HandlePaint(work, handle.key)
+
+
+def _in_handle(work: Workspace) -> BoolArray:
+    role = work.document.role
+    return np.zeros(len(role), dtype=bool) if work.active is None else role == work.active.key
+
+
+def _free(work: Workspace) -> BoolArray:
+    return np.asarray(work.document.role == FREE)
+
+
+FIXED_MARKS = Marks(_fixed_paint, lambda work: work.document.role == FIXED, _free)
+HANDLE_MARKS = Marks(_handle_paint, _in_handle, _free)

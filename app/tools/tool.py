@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from app.tools.marks import Marks
 from app.viewpoint.events import Input
 from app.workspace.brush_rim import brush_rim
 from app.workspace.overlay import ERASING, NOTHING, PAINTING, Overlay
@@ -23,6 +24,7 @@ class Tool:
     begin: what a press over the scene starts, anywhere or `on_surface`. Where it is None, or
         starts nothing, the press is left to the camera.
     cursor: what shows where the tool would act, None for nothing.
+    marks: what a press or a command marks, None for a tool that marks no vertices.
     options: the rows of the panel it needs, by their names in panel.tool_options.OPTIONS.
     map: the one of color_maps.MAPS that shows what the tool does, None to leave it as it is.
     keeps_heat: a heat map on screen stays, whatever `map` says.
@@ -34,6 +36,7 @@ class Tool:
     key: str
     begin: Begin | None = None
     cursor: Cursor | None = None
+    marks: Marks | None = None
     options: tuple[str, ...] = ()
     map: str | None = None
     keeps_heat: bool = False
@@ -58,4 +61,5 @@ def brush_cursor(work: Workspace, frame: Input) -> Overlay:
     corners = work.positions[work.parts.faces[hit.face]]
     color = ERASING if frame.shift else PAINTING
     place = work.neighbours, work.positions, hit, corners
-    return Overlay((brush_rim(*place, work.brush_radius, frame.camera, color),))
+    radius = work.brush_radius(hit.position, frame.camera)
+    return Overlay((brush_rim(*place, radius, frame.camera, color),))

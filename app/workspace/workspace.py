@@ -13,8 +13,9 @@ from typing import ClassVar, Literal, Protocol
 
 from app.model.document import Document, clock
 from app.model.handles import Handle
-from app.model.history import Gesture, History
-from app.viewpoint.camera import Ray
+from app.model.history import Entry, Gesture, History
+from app.selection.limbs import Limbs
+from app.viewpoint.camera import Camera, Ray
 from app.viewpoint.events import Input
 from app.viewpoint.viewpoint import Viewpoint
 from app.worker.client import Worker
@@ -22,6 +23,7 @@ from app.workspace.brush import Brush, Neighbours
 from app.workspace.heat import Heat
 from app.workspace.latest import Latest
 from app.workspace.live_surface import LiveSurface
+from app.workspace.marking import Marking
 from app.workspace.parts import Parts
 from app.workspace.picking import Hit, Picker
 from solver.mesh.progress import Progress
@@ -56,10 +58,12 @@ class Workspace:
     """One open document with its history and its surface on screen, and what a person chose.
 
     tool: a name in tools.TOOLS.  map: a name in color_maps.MAPS.  turn: dragged handles turn by
-    themselves.  message: the last one, None before the first.  export_path: where Export goes
-    by default.  session_path: the session file last opened or saved.  interaction: the stroke or
-    drag in progress.  progress: what is told how far reading and saving are.  viewpoint: where
-    the person looks from.  last_input: of the frame before.
+    themselves.  radii: of the brushes of the tools that are not in the hand.  message: the last
+    one, None before the first.  export_path: where Export goes by default.  session_path: the
+    session file last opened or saved.  interaction: the stroke or drag in progress.  progress:
+    what is told how far reading and saving are.  viewpoint: where the person looks from.
+    last_input: of the frame before.  before_click: the last entry of the history when a press
+    began to mark.
     """
 
     def __init__(
@@ -73,6 +77,8 @@ class Workspace:
         self.export_path = export_path
         self.tool = "navigate"
         self.brush = Brush()
+        self.radii: dict[str, float] = {}
+        self.marking = Marking()
         self.turn = True
         self.map = "roles"
         self.message: Message | None = None
@@ -94,6 +100,8 @@ class Workspace:
         self.parts = Parts(mesh)
         self._picker = Picker(mesh.vertices, mesh.faces)
         self._under: Latest[Hit | None] = Latest()
+        self._limbs: dict[int, Limbs] = {}
+        self.before_click: Entry | None = None
         self.last_input: Input | None = None
         self._active = document.handles[0].key if document.handles else None
         self.viewpoint.show(mesh.vertices[mesh.pieces >= 0])
@@ -161,10 +169,23 @@ class Workspace:
         """(n, 3) on screen."""
         return self.surface.positions
 
-    @property
-    def brush_radius(self) -> float:
-        """In world units."""
-        return self.brush.radius * self.document.diagonal
+    def limbs_at(self, vertex: int) -> Limbs:
+        """Those of the piece that a vertex of a face belongs to, at rest; found once."""
+        mesh, piece = self.document.mesh, int(self.document.mesh.pieces[vertex])
+        if piece not in self._limbs:
+            own = mesh.faces[mesh.pieces[mesh.faces[:, 0]] == piece]
+            self._limbs[piece] = Limbs(mesh.vertices, own)
+        return self._limbs[piece]
+
+    def brush_radius(self, point: FloatArray, camera: Camera) -> float:
+        """In world units, of a brush at a point of the surface."""
+        return self.brush.radius * self.brush_unit(point, camera)
+
+    def brush_unit(self, point: FloatArray, camera: Camera) -> float:
+        """What radii of the brush are a fraction of, in world units."""
+        if self.brush.on_screen:
+            return camera.size[1] * camera.units_per_pixel(point)
+        return self.document.diagonal
 
     @property
     def active(self) -> Handle | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from app.editor.action import Actions
 from app.editor.actions.choices import CHOICE_ACTIONS
 from app.editor.actions.history import HISTORY_ACTIONS
+from app.editor.actions.marks import MARK_ACTIONS
 from app.editor.actions.parts import PART_ACTIONS
 from app.editor.actions.poses import POSE_ACTIONS
 from app.editor.actions.regions import REGION_ACTIONS
@@ -16,6 +17,7 @@ from app.editor.file_actions import FILE_ACTIONS
 ACTIONS: Actions = {
     **CHOICE_ACTIONS,
     **REGION_ACTIONS,
+    **MARK_ACTIONS,
     **SOFTNESS_ACTIONS,
     **SETTING_ACTIONS,
     **PART_ACTIONS,

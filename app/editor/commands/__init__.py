@@ -1,9 +1,10 @@
 """What a person can ask for, as data; the actions do it. A file for each subject, as there."""
 
-from app.editor.commands.choices import SetBrush, SetMap, SetTool, SetTurn
+from app.editor.commands.choices import SetBrush, SetMap, SetMarking, SetTool, SetTurn
 from app.editor.commands.command import Command, CommandError
 from app.editor.commands.files import Export, OpenMesh, OpenSession, SaveSession
 from app.editor.commands.history import CancelGesture, Redo, Undo
+from app.editor.commands.marks import ChangeMarks
 from app.editor.commands.parts import SetFollows, ShowPart
 from app.editor.commands.poses import ResetPose
 from app.editor.commands.regions import (
@@ -22,6 +23,7 @@ __all__ = [
     "ActivateHandle",
     "AddHandle",
     "CancelGesture",
+    "ChangeMarks",
     "ClearFixed",
     "ClearHandle",
     "ClearPins",
@@ -41,6 +43,7 @@ __all__ = [
     "SetBrush",
     "SetFollows",
     "SetMap",
+    "SetMarking",
     "SetMaterial",
     "SetSetting",
     "SetTool",

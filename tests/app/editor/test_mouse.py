@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from app.editor import commands as c
+from app.tools.marking_shapes import marking_cursor
 from app.tools.table import TOOLS
-from app.tools.tool import brush_cursor
 from app.workspace.overlay import NOTHING
 from tests.app.person import Person, state
 
@@ -100,7 +100,7 @@ def test_the_brush_hovers_over_the_surface_with_painting_tools_only(ready: Perso
     for tool in TOOLS:
         ready.use(tool)
         ready.frame([10, 2, 0])
-        assert (ready.editor.cursor is not NOTHING) == (TOOLS[tool].cursor is brush_cursor)
+        assert (ready.editor.cursor is not NOTHING) == (TOOLS[tool].cursor is marking_cursor)
     ready.use("fixed")
     ready.frame(OFF_THE_MESH)
     assert ready.editor.cursor is NOTHING
