@@ -52,10 +52,10 @@ def in_sight(
 ) -> BoolArray:
     """(k,) which of some vertices of the surface (positions (n, 3), faces (m, 3)) are seen.
 
-    solid: (n,) the vertices of closed pieces, which are hidden where they turn away.
-    Hidden is what lies behind all that is nearest in the cells around it, by more than the
-    surface itself falls away there; where it turns its back, by anything at all. Beside an edge
-    that hides something, what lies up to two cells behind that edge counts as seen.
+    All of them lie in the picture.  solid: (n,) the vertices of closed pieces, which are hidden
+    where they turn away. Hidden is also what lies behind all that is nearest in the cells around
+    it, by more than the surface itself falls away there. Beside an edge that hides something,
+    what lies up to two cells behind that edge counts as seen.
     """
     if len(vertices) == 0:
         return np.zeros(0, dtype=bool)
@@ -70,15 +70,14 @@ def in_sight(
     nearest = minimum_filter(_nearest(corners[:, :, before], grid), size=3, mode="nearest").ravel()
     nearest = nearest[grid.cell(screen[:2, vertices])]
     fall, facing = np.zeros(len(positions)), np.zeros(len(positions), dtype=bool)
-    for corner in near[towards].T:
-        np.maximum.at(fall, corner, slope[towards])
+    for corner in near[before].T:
+        np.maximum.at(fall, corner, slope[before])
         facing[corner] = True
     own, fall, facing = nearness[vertices], fall[vertices], facing[vertices]
     cell_width = CELL * camera.units_per_pixel(camera.position + camera.forward)
     behind = nearest - own
     hidden = behind > np.minimum(FALL * fall, MOST * cell_width * own)
-    away = ~facing & (solid[vertices] | (behind > 0))
-    return ~((hidden & (behind > ROUNDING * own)) | away)
+    return facing & ~(hidden & (behind > ROUNDING * own))
 
 
 def _overlapping(screen: FloatArray, faces: IntArray, grid: _Grid) -> tuple[FloatArray, IntArray]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -71,8 +72,13 @@ class Person:
         self.centre = mesh.vertices.mean(axis=0)
         self.eye = self.centre + np.asarray(eye, dtype=float)
 
-    def frame(self, point: ArrayLike | None = None, mouse: str = "", shift: bool = False) -> None:
-        """One frame with the cursor on a point; mouse: some of p(ressed), d(own), r(eleased)."""
+    def frame(
+        self, point: ArrayLike | None = None, mouse: str = "", shift: bool = False, **more: Any
+    ) -> None:
+        """One frame with the cursor on a point; mouse: some of p(ressed), d(own), r(eleased).
+
+        more: other fields of Input.
+        """
         camera = Camera.look_at(self.eye, self.centre, FIELD_OF_VIEW, (1280, 800))
         pixel = None
         if point is not None:
@@ -80,7 +86,7 @@ class Person:
             ((x, y),) = camera.project(inward[None])
             pixel = float(x), float(y)
         buttons = {"pressed": "p" in mouse, "down": "d" in mouse, "released": "r" in mouse}
-        self.editor.step(Input(pixel, camera, **buttons, shift=shift))
+        self.editor.step(Input(pixel, camera, **buttons, shift=shift, **more))
 
     def hold(self, points: Iterable[ArrayLike], shift: bool = False) -> Iterator[int]:
         """Press on the first point, move through the others: yields after each frame."""
@@ -93,6 +99,12 @@ class Person:
         for _ in self.hold(points, shift):
             pass
         self.frame(points[-1], "r", shift)
+
+    def click(self, point: ArrayLike, count: int = 1, shift: bool = False) -> None:
+        """So many quick clicks on a point."""
+        for number in range(1, count + 1):
+            self.frame(point, "pd", shift, clicks=number)
+            self.frame(point, "r", shift, clicks=number)
 
     def use(self, tool: str, radius: float | None = None) -> None:
         """Take a tool; radius in world units."""

@@ -11,8 +11,8 @@ from .scene import Scene
 
 LEFT, MIDDLE, RIGHT = (3.0, 4.0, 0.0), (10.0, 4.0, 0.0), (17.0, 4.0, 0.0)
 # Where things stand in the panel, in pixels from its top left.
-TO_ZERO = [(120, 249), (12, 249)]  # along the slider for the softness brush's value
-FILL, FILL_ROWS = 25, range(260, 340, 10)
+TO_ZERO = [(120, 273), (12, 273)]  # along the slider for the softness brush's value
+FILL, FILL_ROWS = 25, range(310, 350, 10)
 MAP, AREA = (100, 502), (60, 615)  # the drag tool in the hand, two regions and one handle listed
 
 

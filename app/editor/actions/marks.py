@@ -8,17 +8,15 @@ import numpy as np
 
 from app.editor import commands as c
 from app.editor.action import Actions, check_name
-from app.selection.regions import grown, shrunk, smoothed_region
+from app.selection.regions import grown, shrunk, smoothed_region, vertex_areas
 from app.tools.table import TOOLS
 from app.workspace.workspace import Workspace
-from solver.geometry.cross_products import triangle_areas
-from solver.types import BoolArray, FloatArray
+from solver.types import BoolArray
 
 
 def _smoothed(work: Workspace, marked: BoolArray) -> BoolArray:
     mesh = work.document.mesh
-    shares = np.repeat(triangle_areas(mesh.vertices, mesh.faces) / 3.0, 3)
-    area: FloatArray = np.bincount(mesh.faces.ravel(), shares, len(marked))
+    area = vertex_areas(mesh.vertices, mesh.faces)
     return smoothed_region(work.neighbours.graph, marked, area)
 
 

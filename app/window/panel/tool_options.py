@@ -17,7 +17,7 @@ RADIUS_WIDTH = 140.0
 CHANGE_BUTTONS = (
     ("+", "grow", "Grow what is marked by a ring of edges (Ctrl+Keypad +)"),
     ("-", "shrink", "Shrink it by a ring of edges (Ctrl+Keypad -)"),
-    ("smooth", "smooth", "Smooth its border, and keep its area"),
+    ("border", "smooth", "Smooth the border, and keep the area"),
     ("invert", "invert", "Mark what is free instead (Ctrl+I)"),
     ("all else", "everything else", "Mark everything that is still free"),
     ("clear", "clear", "Mark nothing"),
