@@ -38,7 +38,7 @@ def met_first(mesh: Mesh, camera: Camera) -> BoolArray:
     def free(vertex: FloatArray) -> bool:
         away = vertex - camera.position
         hit = picker.pick(Ray(camera.position, away / np.linalg.norm(away)), mesh.vertices)
-        return hit is None or hit.distance > np.linalg.norm(away) * (1 - 1e-6)
+        return hit is None or bool(hit.distance > np.linalg.norm(away) * (1 - 1e-6))
 
     return np.array([free(vertex) for vertex in mesh.vertices])
 

@@ -14,7 +14,7 @@ from solver.types import FloatArray
 from tests.app.person import Person, sheet, slab, state
 
 BESIDE = [-3.0, 7.0, 0.0]  # of a slab that begins at the origin
-LEFT_HALF = [[-1.0, -1, 0], [4.5, -1, 0], [4.5, 9, 0], [-1, 9, 0]]
+LEFT_HALF: list[list[float]] = [[-1, -1, 0], [4.5, -1, 0], [4.5, 9, 0], [-1, 9, 0]]
 
 
 @pytest.fixture
