@@ -91,7 +91,7 @@ class Limbs:
             following = self._beyond(below, tip)
             area = float(self._area[inside].sum())
             other = float(self._area[following & ~inside & (height >= level)].sum())
-            ratio = self._border(inside, level) ** 2 / area
+            ratio = self._border(inside, level) ** 2 / area if area > 0 else np.inf
             cuts.append(_Cut(inside, area, ratio, other > JOINING * area))
             inside = following
             if inside[self._body]:

@@ -4,7 +4,7 @@ from app.editor.commands.choices import SetBrush, SetMap, SetMarking, SetTool, S
 from app.editor.commands.command import Command, CommandError
 from app.editor.commands.files import Export, OpenMesh, OpenSession, SaveSession
 from app.editor.commands.history import CancelGesture, Redo, Undo
-from app.editor.commands.marks import ChangeMarks
+from app.editor.commands.marks import ChangeMarks, FindLimbs
 from app.editor.commands.parts import SetFollows, ShowPart
 from app.editor.commands.poses import ResetPose
 from app.editor.commands.regions import (
@@ -32,6 +32,7 @@ __all__ = [
     "CommandError",
     "Export",
     "FillSoftness",
+    "FindLimbs",
     "FrameSelected",
     "OpenMesh",
     "OpenSession",

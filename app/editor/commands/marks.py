@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from app.editor.commands.command import Command
 
@@ -15,3 +16,10 @@ class ChangeMarks(Command):
     """
 
     name: str
+
+
+@dataclass(frozen=True)
+class FindLimbs(Command):
+    """Prepare the limbs of the largest part that is seen, before a click asks for one of them."""
+
+    notice: ClassVar[str] = "Looking for limbs ..."

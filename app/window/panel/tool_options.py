@@ -32,6 +32,8 @@ def marking(editor: Editor, asked: list[c.Command]) -> None:
             psim.SameLine()
         if psim.RadioButton(name, chosen.shape == name):
             asked.append(c.SetMarking(shape=name))
+            if name == "limb":
+                asked.append(c.FindLimbs())
         psim.SetItemTooltip(shape.tip)
     if not SHAPES[chosen.shape].loops:
         return

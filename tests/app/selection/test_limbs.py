@@ -140,3 +140,20 @@ def test_seams_and_vertices_of_no_face_are_no_obstacle() -> None:
     limb = next(limbs.around(1 + corner))
     assert not limb[0]
     assert (limb[1:] != exact[0][mesh.faces.ravel()]).mean() < 0.01
+
+
+@pytest.mark.parametrize(
+    ("vertices", "faces"),
+    [
+        ([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]),
+        ([[0, 0, 0], [0, 0, 0], [0, 0, 0]], [[0, 1, 2]]),
+        ([[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0]], [[0, 1, 2], [1, 2, 3]]),
+        ([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 1]]),
+    ],
+)
+@pytest.mark.filterwarnings("error")
+def test_what_has_no_area_or_hardly_any_triangles_has_no_limbs(
+    vertices: list[list[float]], faces: list[list[int]]
+) -> None:
+    limbs = Limbs(np.array(vertices, dtype=float), np.array(faces))
+    assert list(limbs.around(0)) == []

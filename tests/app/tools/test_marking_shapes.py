@@ -8,6 +8,7 @@ import pytest
 from app.bundled import DEFAULT_MESH
 from app.editor import commands as c
 from app.model.handles import FIRST_HANDLE, FIXED, FREE
+from app.workspace import workspace
 from app.workspace.overlay import ERASING, NOTHING, PAINTING
 from solver import Mesh, load_mesh
 from solver.types import FloatArray
@@ -201,6 +202,15 @@ def test_a_click_takes_a_limb_and_the_next_one_the_larger(figure: Person) -> Non
     assert len(figure.editor.history.done) == 3
     figure.click(arm, shift=True)
     assert len(marked(figure, FIRST_HANDLE)) == 0
+
+
+def test_limbs_are_found_once_and_beforehand(
+    figure: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    figure.do(c.FindLimbs())
+    monkeypatch.setattr(workspace, "Limbs", None)
+    figure.click([0.3, 1.42, 0.05])
+    assert len(marked(figure, FIRST_HANDLE)) > 0
 
 
 def test_where_there_is_no_limb_a_click_says_so_and_does_not_orbit(figure: Person) -> None:
