@@ -28,6 +28,7 @@ LAYERS = (
     "app.model",
     "app.worker",
     "app.viewpoint",
+    "app.selection",
     "app.workspace",
     "app.tools",
     "app.editor app.dialogs",

@@ -6,13 +6,14 @@ from dataclasses import replace
 from pathlib import Path
 
 from app.editor.actions import ACTIONS
-from app.editor.commands import Command
+from app.editor.commands import Command, SetBrush
 from app.editor.softness_warnings import Warning, softness_warnings
 from app.model.document import Document
 from app.model.handles import FIRST_HANDLE, FIXED
 from app.tools.table import TOOLS
 from app.viewpoint.events import ENTER, Input
 from app.viewpoint.viewpoint import Motion
+from app.workspace.brush import RADIUS_STEP
 from app.workspace.color_maps import MAPS
 from app.workspace.ghost import ghost as rest_ghost
 from app.workspace.latest import Latest
@@ -60,6 +61,7 @@ class Editor(Workspace):
         except (SolverError, OSError) as error:
             self.cancel()
             self.say(str(error), "error")
+        self._resize_brush(frame)
         seen = replace(frame, secondary=False) if self._refusing else frame
         self.viewpoint.advance(seen, self._left, lambda: self._point(frame))
         self.last_input = frame
@@ -255,6 +257,11 @@ class Editor(Workspace):
             self._left = "pan" if frame.shift and not frame.alt else "orbit"
         else:
             self._touch(frame)
+
+    def _resize_brush(self, frame: Input) -> None:
+        """The wheel with Ctrl resizes the brush of a tool that has one."""
+        if frame.wheel and frame.ctrl and TOOLS[self.tool].marks is not None:
+            self.execute(SetBrush(radius=self.brush.radius * RADIUS_STEP**frame.wheel))
 
     def _touch(self, frame: Input) -> None:
         """The view turns about the point that a stroke or drag last touched."""

@@ -69,6 +69,14 @@ class History:
         else:  # a slider that came back to where it started leaves nothing to undo
             self.seal()
 
+    def retract(self, document: Document, since: Entry | None) -> None:
+        """Take the last entry back for good, if it is the only one made after `since`."""
+        before = self.done[-2] if len(self.done) > 1 else None
+        if self.top is not since and before is since:
+            for edit in reversed(self.done.pop().edits):
+                document.revert(edit)
+            self.seal()
+
     def seal(self) -> None:
         """The next entry merges with none before it."""
         self._sealed = True
@@ -83,20 +91,21 @@ class History:
 
     def mark_saved(self) -> None:
         """What is on screen is what is on disk."""
-        self._saved = self._top
+        self._saved = self.top
         self.seal()
 
     @property
     def dirty(self) -> bool:
         """Whether there are changes that no session file holds."""
-        return self._top is not self._saved
+        return self.top is not self._saved
 
     @property
-    def _top(self) -> Entry | None:
+    def top(self) -> Entry | None:
+        """The last entry that was not undone, None without any."""
         return self.done[-1] if self.done else None
 
     def _merges(self, entry: Entry) -> bool:
-        last = self._top
+        last = self.top
         return not self._sealed and last is not None and last.merge == entry.merge != ""
 
     def _step(self, source: list[Entry], target: list[Entry], document: Document) -> Entry | None:

@@ -29,7 +29,8 @@ class Grab(Drag):
     def __init__(self, work: Workspace, press: Input, hit: Hit) -> None:
         super().__init__(work, press, GRAB, hit.position)
         self._pixel = press.pixel
-        vertices, weights = work.neighbours.dab(work.positions, hit, work.brush_radius)
+        radius = work.brush_radius(hit.position, press.camera)
+        vertices, weights = work.neighbours.dab(work.positions, hit, radius)
         free = work.document.role[vertices] == FREE
         self._vertices, self._weights = vertices[free], weights[free]
 

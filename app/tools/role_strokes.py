@@ -7,14 +7,11 @@ from collections.abc import Callable
 import numpy as np
 
 from app.model.document import Document
-from app.model.handles import FIRST_HANDLE, FIXED, FREE, Handle
+from app.model.handles import FIRST_HANDLE, FIXED, FREE
 from app.model.history import Gesture
-from app.tools.strokes import Paint, Stroke
-from app.tools.tool import on_surface
-from app.viewpoint.events import Input
-from app.workspace.picking import Hit
+from app.tools.marks import Marks, Paint
 from app.workspace.symmetry import mirrored_name
-from app.workspace.workspace import Interaction, Workspace
+from app.workspace.workspace import Workspace
 from solver.geometry.procrustes import rigid_motion
 from solver.types import BoolArray, FloatArray, IntArray
 
@@ -77,41 +74,45 @@ class HandlePaint(RolePaint):
             gesture.change("pose", pose)
 
 
-@on_surface
-def paint_fixed(work: Workspace, press: Input, hit: Hit) -> Interaction:
-    """A stroke that fixes vertices; with Shift one that frees them."""
-    paint: Paint = RolePaint("Paint fixed", FIXED)
-    if press.shift:
-        paint = RoleEraser(work.document, "Erase fixed", lambda role: role == FIXED)
-    return Stroke(work, press, hit, Gesture(work.document), paint)
+def _fixed_paint(work: Workspace, erase: bool, gesture: Gesture) -> Paint:
+    if erase:
+        return RoleEraser(work.document, "Erase fixed", lambda role: role == FIXED)
+    return RolePaint("Paint fixed", FIXED)
 
 
-@on_surface
-def paint_handle(work: Workspace, press: Input, hit: Hit) -> Interaction:
-    """A stroke that adds to the active handle, or makes one; with Shift one that erases."""
-    gesture = Gesture(work.document)
-    if press.shift:
-        eraser = RoleEraser(work.document, "Erase handle", lambda role: role >= FIRST_HANDLE)
-        return Stroke(work, press, hit, gesture, eraser)
+def _handle_paint(work: Workspace, erase: bool, gesture: Gesture) -> Paint:
+    """Adds to the active handle, or makes one; an eraser frees the vertices of any."""
+    if erase:
+        return RoleEraser(work.document, "Erase handle", lambda role: role >= FIRST_HANDLE)
     handle = work.active
     if handle is None or handle.pin:  # a pin stays the spot that it is
         handle = work.document.new_handle()
         gesture.change("handles", (*work.document.handles, handle))
     work.activate(handle.key)
-    paint = HandlePaint(work, handle.key)
-    return Stroke(work, press, hit, gesture, paint, _mirrored(work, hit, gesture, handle))
+    return HandlePaint(work, handle.key)
 
 
-def _mirrored(work: Workspace, hit: Hit, gesture: Gesture, handle: Handle) -> Paint | None:
-    """What is painted across the mirror: the handle there, a new one, or at the mirror the same."""
-    if work.symmetry is None:
+def _handle_across(work: Workspace, gesture: Gesture, meets: bool) -> Paint | None:
+    """The handle across the mirror, or a new one; the same where both sides meet."""
+    handle = work.active
+    if work.symmetry is None or handle is None:
         return None
     key = work.symmetry.handle(work.document, handle.key)
-    if key is None:
-        image = work.symmetry.hit(hit, work.positions)
-        if image is None or np.linalg.norm(image.position - hit.position) < work.brush_radius:
-            return None
+    if key is None and not meets:
         other = work.document.new_handle(mirrored_name(handle.name))
         gesture.change("handles", (*work.document.handles, other))
         key = other.key
-    return None if key == handle.key else HandlePaint(work, key)
+    return None if key is None or key == handle.key else HandlePaint(work, key)
+
+
+def _in_handle(work: Workspace) -> BoolArray:
+    role = work.document.role
+    return np.zeros(len(role), dtype=bool) if work.active is None else role == work.active.key
+
+
+def _free(work: Workspace) -> BoolArray:
+    return np.asarray(work.document.role == FREE)
+
+
+FIXED_MARKS = Marks(_fixed_paint, lambda work: work.document.role == FIXED, _free)
+HANDLE_MARKS = Marks(_handle_paint, _in_handle, _free, _handle_across)

@@ -7,11 +7,8 @@ from collections.abc import Callable
 import numpy as np
 
 from app.model.history import Gesture
-from app.tools.strokes import Paint, Stroke
-from app.tools.tool import on_surface
-from app.viewpoint.events import Input
-from app.workspace.picking import Hit
-from app.workspace.workspace import Interaction, Workspace
+from app.tools.marks import Marks, Paint
+from app.workspace.workspace import Workspace
 from solver.types import FloatArray, IntArray
 
 # Where the brush is at least this strong (half its radius) a stroke pins what it paints: its rim,
@@ -101,8 +98,13 @@ SOFTNESS_MODES: dict[str, Callable[[Workspace], Paint]] = {
 }
 
 
-@on_surface
-def paint_softness(work: Workspace, press: Input, hit: Hit) -> Interaction:
-    """A stroke in the mode of the brush; with Shift one that erases."""
-    paint = SoftnessEraser(work) if press.shift else SOFTNESS_MODES[work.brush.mode](work)
-    return Stroke(work, press, hit, Gesture(work.document), paint)
+def _softness_paint(work: Workspace, erase: bool, gesture: Gesture) -> Paint:
+    """In the mode of the brush."""
+    return SoftnessEraser(work) if erase else SOFTNESS_MODES[work.brush.mode](work)
+
+
+SOFTNESS_MARKS = Marks(
+    _softness_paint,
+    lambda work: work.document.softness > 0,
+    lambda work: np.ones(len(work.document.softness), dtype=bool),
+)

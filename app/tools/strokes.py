@@ -2,29 +2,18 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, Protocol
+from typing import ClassVar
 
 import numpy as np
 
 from app.model.history import Gesture
+from app.tools.marks import Paint
 from app.viewpoint.camera import Ray, rays_between
 from app.viewpoint.events import Input
 from app.workspace.brush import MAX_DABS
 from app.workspace.picking import Hit
 from app.workspace.workspace import Workspace
-from solver.types import FloatArray, IntArray
-
-
-class Paint(Protocol):
-    """What a stroke leaves on the vertices it touches. label: its entry in the history."""
-
-    label: str
-
-    def dab(self, gesture: Gesture, vertices: IntArray, weights: FloatArray) -> None:
-        """Change the document under the brush."""
-
-    def finish(self, gesture: Gesture) -> None:
-        """What is left to do when the stroke ends."""
+from solver.types import FloatArray
 
 
 class Stroke:
@@ -49,10 +38,10 @@ class Stroke:
         self._paint = paint
         self._mirror = mirror or paint
         self._image: FloatArray | None = None  # where the last dab was across the mirror
-        self._radius = work.brush_radius
         self._ray: Ray | None = press.ray
         self._hit: Hit | None = hit
         self._depth = hit.distance
+        self._radius = work.brush_radius(hit.position, press.camera)
         self._dab(hit, None)
 
     def move(self, frame: Input) -> None:
@@ -68,6 +57,7 @@ class Stroke:
         for ray in rays_between(before, frame.ray, count):
             hit = self._work.under(frame) if ray is frame.ray else self._work.pick(ray)
             if hit is not None:
+                self._radius = self._work.brush_radius(hit.position, frame.camera)
                 self._dab(hit, self._joined(hit, reach))
                 self._depth = hit.distance
             self._hit = hit

@@ -3,29 +3,40 @@
 from __future__ import annotations
 
 from app.tools.gizmo.begin import begin_gizmo
+from app.tools.marking_shapes import begin_marking, marking_cursor
 from app.tools.press import begin_drag, drag_cursor
-from app.tools.role_strokes import paint_fixed, paint_handle
+from app.tools.role_strokes import FIXED_MARKS, HANDLE_MARKS
 from app.tools.select_handle import begin_select
-from app.tools.softness_strokes import paint_softness
-from app.tools.tool import Tool, brush_cursor, first_of
+from app.tools.softness_strokes import SOFTNESS_MARKS
+from app.tools.tool import Tool, first_of
 
 TOOLS = {
     "navigate": Tool("Navigate", "1"),
-    "fixed": Tool("Fixed", "2", paint_fixed, brush_cursor, options=("brush radius",), map="roles"),
+    "fixed": Tool(
+        "Fixed",
+        "2",
+        begin_marking(FIXED_MARKS),
+        marking_cursor,
+        FIXED_MARKS,
+        options=("marking", "brush radius", "change marks"),
+        map="roles",
+    ),
     "handle": Tool(
         "Handle",
         "3",
-        paint_handle,
-        brush_cursor,
-        options=("brush radius", "new handle"),
+        begin_marking(HANDLE_MARKS),
+        marking_cursor,
+        HANDLE_MARKS,
+        options=("marking", "brush radius", "change marks", "new handle"),
         map="roles",
     ),
     "softness": Tool(
         "Softness",
         "4",
-        paint_softness,
-        brush_cursor,
-        options=("brush radius", "softness brush", "whole softness"),
+        begin_marking(SOFTNESS_MARKS),
+        marking_cursor,
+        SOFTNESS_MARKS,
+        options=("marking", "brush radius", "softness brush", "change marks", "whole softness"),
         map="softness",
     ),
     "drag": Tool(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from app.tools.marks import Marks
 from app.viewpoint.events import Input
 from app.workspace.brush_rim import brush_rim
 from app.workspace.nearby import near_surface
@@ -25,6 +26,7 @@ class Tool:
     begin: what a press over the scene starts, anywhere or `on_surface`. Where it is None, or
         starts nothing, the press is left to the camera.
     cursor: what shows where the tool would act, None for nothing.
+    marks: what a press or a command marks, None for a tool that marks no vertices.
     options: the rows of the panel it needs, by their names in panel.tool_options.OPTIONS.
     map: the one of color_maps.MAPS that shows what the tool does, None to leave it as it is.
     keeps_heat: a heat map on screen stays, whatever `map` says.
@@ -36,6 +38,7 @@ class Tool:
     key: str
     begin: Begin | None = None
     cursor: Cursor | None = None
+    marks: Marks | None = None
     options: tuple[str, ...] = ()
     map: str | None = None
     keeps_heat: bool = False
@@ -75,11 +78,7 @@ def brush_cursor(work: Workspace, frame: Input) -> Overlay:
         image = work.symmetry.hit(hit, work.positions)
         if image is not None and image.vertex != hit.vertex:
             places.append((image, work.symmetry.plane.reflect(corners)))
-    return Overlay(
-        tuple(
-            brush_rim(
-                work.neighbours, work.positions, *place, work.brush_radius, frame.camera, color
-            )
-            for place in places
-        )
-    )
+    radius = work.brush_radius(hit.position, frame.camera)
+    surface = work.neighbours, work.positions
+    rims = (brush_rim(*surface, *place, radius, frame.camera, color) for place in places)
+    return Overlay(tuple(rims))

@@ -94,8 +94,13 @@ class Camera:
 
     def at_depth(self, pixel: Pixel, depth: float) -> FloatArray:
         """(3,) the point under a pixel that is so far along the direction of view."""
-        ray = self.ray(pixel)
-        return ray.at(depth / float(ray.direction @ self.forward))
+        return self.all_at_depth(np.array([pixel]), depth)[0]
+
+    def all_at_depth(self, pixels: FloatArray, depth: float) -> FloatArray:
+        """(k, 3) the points under pixels (k, 2) that are so far along the direction of view."""
+        x, y = ((pixels - 0.5 * np.array(self.size)) * (depth / self._focal_length)).T
+        across = x[:, None] * self.right - y[:, None] * self.up
+        return self.position + depth * self.forward + across
 
     def units_per_pixel(self, point: FloatArray) -> float:
         """World length that one pixel covers at the depth of `point`."""

@@ -125,7 +125,7 @@ class Viewpoint:
         if frame.pixel is not None:
             if self._last is not None and frame.pixel != self._last:
                 self._move(frame.pixel)
-            if frame.wheel:
+            if frame.wheel and not frame.ctrl:  # with Ctrl it is the brush's
                 point = self._anchor(frame, under())
                 self._look(zoomed(self.camera, point, frame.wheel, NEAREST * self._size))
         self._last = frame.pixel if motion else None

@@ -9,9 +9,7 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.tools.table import TOOLS
-from app.workspace.brush import Brush
-
-RADIUS_STEP = 1.15
+from app.workspace.brush import RADIUS_STEP, Brush
 
 
 @dataclass(frozen=True)
@@ -64,6 +62,14 @@ SHORTCUTS = (
         "[", "Smaller brush", psim.ImGuiKey_LeftBracket, _scaled(1 / RADIUS_STEP), repeats=True
     ),
     Shortcut("]", "Larger brush", psim.ImGuiKey_RightBracket, _scaled(RADIUS_STEP), repeats=True),
+    *(
+        Shortcut(keys, meaning, key, _always(c.ChangeMarks(name)), ctrl=True, repeats=repeats)
+        for keys, meaning, key, name, repeats in (
+            ("Ctrl+Keypad +", "Grow what is marked", psim.ImGuiKey_KeypadAdd, "grow", True),
+            ("Ctrl+Keypad -", "Shrink it", psim.ImGuiKey_KeypadSubtract, "shrink", True),
+            ("Ctrl+I", "Invert it", psim.ImGuiKey_I, "invert", False),
+        )
+    ),
     Shortcut("Ctrl+Z", "Undo", psim.ImGuiKey_Z, _always(c.Undo()), ctrl=True, repeats=True),
     Shortcut(
         "Ctrl+Shift+Z", "Redo", psim.ImGuiKey_Z, _always(c.Redo()), True, shift=True, repeats=True

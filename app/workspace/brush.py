@@ -7,23 +7,27 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sp
 
+from app.selection.solids import solid_vertices
 from app.workspace.picking import Hit
 from solver.geometry.topology import Topology, components
 from solver.geometry.welding import seam_links, weld
 from solver.softness.falloff import falloff
 from solver.types import FloatArray, IntArray
 
+RADIUS_STEP = 1.15  # how much larger a notch of the wheel or a key makes a brush
 MAX_DABS = 32  # the most dabs put into one frame of a fast stroke
 
 
 @dataclass(frozen=True)
 class Brush:
-    """radius: as a fraction of the mesh's diagonal. strength, value: of softness, in [0, 1].
+    """radius: as a fraction of the mesh's diagonal, or `on_screen` of the height of the window.
 
+    strength, value: of softness, in [0, 1].
     mode: a name in softness_strokes.SOFTNESS_MODES, what a softness stroke does with both.
     """
 
     radius: float = 0.03
+    on_screen: bool = False
     strength: float = 1.0
     value: float = 1.0
     mode: str = "set"
@@ -33,17 +37,21 @@ class Neighbours:
     """Which vertices edges and seams join; built once a mesh. A stray vertex has no neighbours.
 
     edges: (e, 2).  component: (n,) the connected piece that each vertex belongs to.
+    graph: (n, n) symmetric, with an entry for each pair.  solid: (n,) the vertices of closed
+    pieces whose triangles face outwards.
     """
 
     def __init__(self, vertices: FloatArray, faces: IntArray) -> None:
         topology = Topology(faces, len(vertices))
         self.edges = topology.edges
-        links = np.concatenate([topology.edges, seam_links(weld(vertices, topology))])
+        welded = weld(vertices, topology)
+        links = np.concatenate([topology.edges, seam_links(welded)])
         self.component = components(links, len(vertices))
+        self.solid = solid_vertices(vertices, topology, welded, self.component)
         a, b = links.T
         ends = np.concatenate([a, b]), np.concatenate([b, a])
         size = (len(vertices), len(vertices))
-        self._graph = sp.csr_array((np.ones(2 * len(a)), ends), shape=size)
+        self.graph = sp.csr_array((np.ones(2 * len(a)), ends), shape=size)
         self._faces = faces
         corners = faces.ravel(), np.arange(faces.size) // 3
         shape = (len(vertices), len(faces))
@@ -84,7 +92,7 @@ class Neighbours:
             near = away < limit
             found.append(front[near])
             distances.append(away[near])
-            around = self._graph[front[near]].indices
+            around = self.graph[front[near]].indices
             around = np.sort(around[~seen[around]])
             # np.unique would hash them, which takes several times as long.
             front = around[np.diff(around, prepend=-1) > 0].astype(np.int64)
@@ -92,11 +100,11 @@ class Neighbours:
 
     def fading(self, vertices: IntArray, rings: int) -> FloatArray:
         """(n,) 1 at vertices (k,) and half as many rings of neighbours, 0 after so many."""
-        ring = np.full(self._graph.shape[0], rings)
+        ring = np.full(self.graph.shape[0], rings)
         front = vertices
         for number in range(rings):
             ring[front] = number
-            around = self._graph[front].indices
+            around = self.graph[front].indices
             front = np.flatnonzero(np.bincount(around[ring[around] == rings], minlength=1))
         return falloff(np.clip(2 * ring / rings - 1, 0, 1))
 
@@ -107,7 +115,7 @@ class Neighbours:
 
         amounts: (k,) in [0, 1], how much of the way each goes in each round.
         """
-        rows = self._graph[vertices]
+        rows = self.graph[vertices]
         degree = np.diff(rows.indptr)
         amounts = np.where(degree > 0, amounts, 0.0)
         values = values.copy()

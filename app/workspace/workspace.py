@@ -13,8 +13,9 @@ from typing import ClassVar, Literal, Protocol
 
 from app.model.document import Document, clock
 from app.model.handles import Handle, Pose
-from app.model.history import Gesture, History
-from app.viewpoint.camera import Ray
+from app.model.history import Entry, Gesture, History
+from app.selection.limbs import Limbs
+from app.viewpoint.camera import Camera, Ray
 from app.viewpoint.events import Input
 from app.viewpoint.viewpoint import Viewpoint
 from app.worker.client import Worker
@@ -24,6 +25,7 @@ from app.workspace.heat import Heat
 from app.workspace.latest import Latest
 from app.workspace.live_surface import LiveSurface
 from app.workspace.looks import PLAIN, Looks
+from app.workspace.marking import Marking
 from app.workspace.parts import Parts
 from app.workspace.picking import Hit, Picker
 from app.workspace.placing import Pivots, Placing
@@ -66,6 +68,7 @@ class Workspace:
 
     tool: a name in tools.TOOLS.  map: a name in color_maps.MAPS.  turn: dragged handles turn by
     themselves.  keep: what was grabbed stays where it was taken.
+    radii: of the brushes of the tools that are not in the hand.
     placing: how handles are placed exactly.  blend: of two poses.
     looks: how the surface is drawn.  recent: the files opened or saved last.
     symmetry: the mirror across which all happens twice, None for none.
@@ -73,6 +76,7 @@ class Workspace:
     progress: what is told how far reading and saving are.  viewpoint: where the person looks from.
     last_input: of the frame before.  export_path: where Export goes by default.  session_path: the
     session file last opened or saved.  written: the files that exports gave a name.
+    before_click: the last entry of the history when a press began to mark.
     """
 
     def __init__(
@@ -86,6 +90,8 @@ class Workspace:
         self.export_path = export_path
         self.tool = "navigate"
         self.brush = Brush()
+        self.radii: dict[str, float] = {}
+        self.marking = Marking()
         self.turn = True
         self.keep = False
         self.placing = Placing()
@@ -119,6 +125,8 @@ class Workspace:
         self.picker = Picker(mesh.vertices, mesh.faces)
         self._under: Latest[Hit | None] = Latest()
         self._centres: Latest[dict[int, FloatArray]] = Latest()
+        self._limbs: dict[int, Limbs] = {}
+        self.before_click: Entry | None = None
         self.last_input: Input | None = None
         self._active = document.handles[0].key if document.handles else None
         self._selected: frozenset[int] = frozenset()
@@ -207,10 +215,23 @@ class Workspace:
         version = revision["role"], revision["rest"], revision["handles"]
         return self._centres(version, self.document.handle_centres)
 
-    @property
-    def brush_radius(self) -> float:
-        """In world units."""
-        return self.brush.radius * self._diagonal
+    def limbs_at(self, vertex: int) -> Limbs:
+        """Those of the piece that a vertex of a face belongs to, at rest; found once."""
+        mesh, piece = self.document.mesh, int(self.document.mesh.pieces[vertex])
+        if piece not in self._limbs:
+            own = mesh.faces[mesh.pieces[mesh.faces[:, 0]] == piece]
+            self._limbs[piece] = Limbs(mesh.vertices, own)
+        return self._limbs[piece]
+
+    def brush_radius(self, point: FloatArray, camera: Camera) -> float:
+        """In world units, of a brush at a point of the surface."""
+        return self.brush.radius * self.brush_unit(point, camera)
+
+    def brush_unit(self, point: FloatArray, camera: Camera) -> float:
+        """What radii of the brush are a fraction of, in world units."""
+        if self.brush.on_screen:
+            return camera.size[1] * camera.units_per_pixel(point)
+        return self._diagonal
 
     @property
     def active(self) -> Handle | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -76,12 +77,12 @@ class Person:
         point: ArrayLike | None = None,
         mouse: str = "",
         shift: bool = False,
-        ctrl: bool = False,
-        typed: str = "",
+        **more: Any,
     ) -> None:
         """One frame with the cursor on a point.
 
         mouse: some of p(ressed), d(own), r(eleased), of the other buttons s(econdary), m(iddle).
+        more: other fields of Input.
         """
         camera = Camera.look_at(self.eye, self.centre, FIELD_OF_VIEW, (1280, 800))
         pixel = None
@@ -97,10 +98,9 @@ class Person:
                 down="d" in mouse,
                 released="r" in mouse,
                 shift=shift,
-                ctrl=ctrl,
-                typed=typed,
                 secondary="s" in mouse,
                 middle="m" in mouse,
+                **more,
             )
         )
 
@@ -115,6 +115,12 @@ class Person:
         for _ in self.hold(points, shift):
             pass
         self.frame(points[-1], "r", shift)
+
+    def click(self, point: ArrayLike, count: int = 1, shift: bool = False) -> None:
+        """So many quick clicks on a point."""
+        for number in range(1, count + 1):
+            self.frame(point, "pd", shift, clicks=number)
+            self.frame(point, "r", shift, clicks=number)
 
     def use(self, tool: str, radius: float | None = None) -> None:
         """Take a tool; radius in world units."""

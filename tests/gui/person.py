@@ -112,10 +112,15 @@ class Person:
     def click(self, x: float, y: float, button: int = 1) -> None:
         self.drag([(x, y)], button)
 
-    def scroll(self, x: float, y: float, clicks: int) -> None:
-        """Turn the wheel: up for positive `clicks`, down for negative."""
-        turn = ["click", 4 if clicks > 0 else 5, "sleep", PAUSE]
-        self._xdotool(*self._to((x, y)), *turn * abs(clicks))
+    def double_click(self, x: float, y: float) -> None:
+        self._xdotool(*self._to((x, y)), "click", "--repeat", 2, "--delay", 60, 1, "sleep", PAUSE)
+
+    def scroll(self, x: float, y: float, clicks: int, hold: str = "") -> None:
+        """Turn the wheel: up for positive `clicks`, down for negative; `hold`: a key held down."""
+        turn = ["click", 4 if clicks > 0 else 5, "sleep", PAUSE] * abs(clicks)
+        if hold:
+            turn = ["keydown", hold, "sleep", PAUSE, *turn, "keyup", hold, "sleep", PAUSE]
+        self._xdotool(*self._to((x, y)), *turn)
 
     def drag(
         self, path: Sequence[Point], button: int = 1, hold: Sequence[str] = (), steps: int = 8

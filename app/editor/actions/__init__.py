@@ -5,6 +5,7 @@ from __future__ import annotations
 from app.editor.action import Actions
 from app.editor.actions.choices import CHOICE_ACTIONS
 from app.editor.actions.history import HISTORY_ACTIONS
+from app.editor.actions.marks import MARK_ACTIONS
 from app.editor.actions.parts import PART_ACTIONS
 from app.editor.actions.placing import PLACING_ACTIONS
 from app.editor.actions.poses import POSE_ACTIONS
@@ -20,6 +21,7 @@ from app.editor.pose_export import POSE_EXPORT_ACTIONS
 ACTIONS: Actions = {
     **CHOICE_ACTIONS,
     **REGION_ACTIONS,
+    **MARK_ACTIONS,
     **SOFTNESS_ACTIONS,
     **SETTING_ACTIONS,
     **PART_ACTIONS,

@@ -7,6 +7,7 @@ from dataclasses import replace
 from app.editor import commands as c
 from app.editor.action import Actions, check_name
 from app.model.settings import is_number
+from app.tools.marking_shapes import SHAPES
 from app.tools.softness_strokes import SOFTNESS_MODES
 from app.tools.table import TOOLS
 from app.workspace.color_maps import MAPS
@@ -18,6 +19,8 @@ BRUSH_RADII = 0.001, 0.5
 
 def set_tool(work: Workspace, command: c.SetTool) -> None:
     check_name(command.name, TOOLS, "tool")
+    work.radii[work.tool] = work.brush.radius
+    work.brush = replace(work.brush, radius=work.radii.get(command.name, work.brush.radius))
     work.tool, tool = command.name, TOOLS[command.name]
     watched = MAPS[work.map].measure is not None and tool.keeps_heat
     if tool.map is not None and not watched:
@@ -30,13 +33,33 @@ def set_brush(work: Workspace, command: c.SetBrush) -> None:
     if command.mode is not None:
         check_name(command.mode, SOFTNESS_MODES, "brush mode")
     for name, value in changes.items():
-        if name == "mode":
+        if name in ("mode", "on_screen"):
             continue
         if not is_number(value):
             raise c.CommandError(f"brush {name} must be a number, got {value!r}")
         low, high = BRUSH_RADII if name == "radius" else (0.0, 1.0)
         changes[name] = min(max(float(value), low), high)
+    on_screen = changes.pop("on_screen", work.brush.on_screen)
+    if on_screen != work.brush.on_screen:
+        _measure_brushes(work, on_screen)
     work.brush = replace(work.brush, **changes)
+
+
+def _measure_brushes(work: Workspace, on_screen: bool) -> None:
+    """Measure radii otherwise: all brushes stay as large as they are where the view turns."""
+    place = work.viewpoint.pivot, work.viewpoint.camera
+    unit = work.brush_unit(*place)
+    work.brush = replace(work.brush, on_screen=on_screen)
+    factor = unit / work.brush_unit(*place)
+    work.radii = {tool: factor * radius for tool, radius in work.radii.items()}
+    work.brush = replace(work.brush, radius=factor * work.brush.radius)
+
+
+def set_marking(work: Workspace, command: c.SetMarking) -> None:
+    changes = {name: value for name, value in vars(command).items() if value is not None}
+    if command.shape is not None:
+        check_name(command.shape, SHAPES, "shape")
+    work.marking = replace(work.marking, **changes)
 
 
 def set_keep(work: Workspace, command: c.SetKeep) -> None:
@@ -55,6 +78,7 @@ def set_map(work: Workspace, command: c.SetMap) -> None:
 CHOICE_ACTIONS: Actions = {
     c.SetTool: set_tool,
     c.SetBrush: set_brush,
+    c.SetMarking: set_marking,
     c.SetTurn: set_turn,
     c.SetKeep: set_keep,
     c.SetMap: set_map,

@@ -28,7 +28,8 @@ def fill_softness(work: Workspace, command: c.FillSoftness) -> None:
     pins = np.flatnonzero(document.pinned)
     if not len(pins):
         raise c.CommandError("nothing to fill from: dab a few soft and a few stiff spots first")
-    free, reach = document.role == FREE, LEAST_REACH * work.brush_radius
+    place = work.viewpoint.pivot, work.viewpoint.camera
+    free, reach = document.role == FREE, LEAST_REACH * work.brush_radius(*place)
     softness = fill_between(
         document.rest_positions, mesh.faces, document.softness, pins, free, reach
     )

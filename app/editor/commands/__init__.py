@@ -1,9 +1,10 @@
 """What a person can ask for, as data; the actions do it. A file for each subject, as there."""
 
-from app.editor.commands.choices import SetBrush, SetKeep, SetMap, SetTool, SetTurn
+from app.editor.commands.choices import SetBrush, SetKeep, SetMap, SetMarking, SetTool, SetTurn
 from app.editor.commands.command import Command, CommandError
 from app.editor.commands.files import Export, OpenMesh, OpenSession, SaveSession
 from app.editor.commands.history import CancelGesture, Redo, Undo
+from app.editor.commands.marks import ChangeMarks, FindLimbs
 from app.editor.commands.parts import SetFollows, ShowPart
 from app.editor.commands.placing import (
     MoveHandles,
@@ -48,6 +49,7 @@ __all__ = [
     "AddHandle",
     "BlendPoses",
     "CancelGesture",
+    "ChangeMarks",
     "ChooseBlend",
     "ClearFixed",
     "ClearHandle",
@@ -60,6 +62,7 @@ __all__ = [
     "Export",
     "ExportPoses",
     "FillSoftness",
+    "FindLimbs",
     "FrameSelected",
     "FrameVertices",
     "GoToPose",
@@ -87,6 +90,7 @@ __all__ = [
     "SetKeep",
     "SetLooks",
     "SetMap",
+    "SetMarking",
     "SetMaterial",
     "SetPlacing",
     "SetPosition",

@@ -19,7 +19,8 @@ class SetTool(Command):
 class SetBrush(Command):
     """Change what is not None.
 
-    radius: fraction of the diagonal; strength, value in [0, 1]; mode: see Brush.
+    radius: see Brush; on_screen: whether it keeps its size there, wherever the camera goes;
+    strength, value in [0, 1]; mode: see Brush.
     """
 
     interrupts: ClassVar[bool] = False
@@ -27,6 +28,15 @@ class SetBrush(Command):
     strength: float | None = None
     value: float | None = None
     mode: str | None = None
+    on_screen: bool | None = None
+
+
+@dataclass(frozen=True)
+class SetMarking(Command):
+    """How a press marks vertices; changes what is not None, see Marking."""
+
+    shape: str | None = None
+    through: bool | None = None
 
 
 @dataclass(frozen=True)

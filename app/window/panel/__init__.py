@@ -27,8 +27,9 @@ PLACE = (
 )
 HELP = (
     "Paint what stays (2), what you move (3), where it bends (4); then drag (5).",
-    "Left drag beside the surface or with Navigate orbits, right drag pans, the wheel zooms. "
-    "Shift while painting erases.",
+    "Left drag beside the surface or with Navigate orbits, right drag pans, the wheel zooms, and "
+    "with Ctrl resizes the brush. Shift while painting erases.",
+    "A double click takes a whole part, another one the group that it is in.",
     "Dab soft and stiff spots with the softness brush, then Fill blends the rest.",
 )
 

@@ -8,6 +8,7 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
+from app.tools.marking_shapes import SHAPES
 from app.tools.softness_strokes import SOFTNESS_MODES
 from app.window.panel.place import PlaceRows
 from app.window.panel.widgets import REST_OF_LINE, disabled, halves, logarithmic
@@ -21,13 +22,62 @@ TIPS = {
     "or it turns, and the surface takes it along",
 }
 BRUSH_RADII = 0.005, 0.3
+RADIUS_WIDTH = 140.0
+CHANGE_BUTTONS = (
+    ("+", "grow", "Grow what is marked by a ring of edges (Ctrl+Keypad +)"),
+    ("-", "shrink", "Shrink it by a ring of edges (Ctrl+Keypad -)"),
+    ("border", "smooth", "Smooth the border, and keep the area"),
+    ("invert", "invert", "Mark what is free instead (Ctrl+I)"),
+    ("all else", "everything else", "Mark everything that is still free"),
+    ("clear", "clear", "Mark nothing"),
+)
+
+
+def marking(editor: Editor, asked: list[c.Command]) -> None:
+    """What a press marks with, and whether a loop takes what is hidden."""
+    chosen = editor.marking
+    for number, (name, shape) in enumerate(SHAPES.items()):
+        if number:
+            psim.SameLine()
+        if psim.RadioButton(name, chosen.shape == name):
+            asked.append(c.SetMarking(shape=name))
+            if name == "limb":
+                asked.append(c.FindLimbs())
+        psim.SetItemTooltip(shape.tip)
+    if not SHAPES[chosen.shape].loops:
+        return
+    for number, (label, through) in enumerate((("visible only", False), ("through", True))):
+        if number:
+            psim.SameLine()
+        if psim.RadioButton(label, chosen.through == through):
+            asked.append(c.SetMarking(through=through))
+    psim.SetItemTooltip("Also what lies behind the surface that is seen")
 
 
 def brush_radius(editor: Editor, asked: list[c.Command]) -> None:
-    """A slider, in diagonals of the mesh."""
-    moved, radius = logarithmic("brush radius", editor.brush.radius, *BRUSH_RADII, "%.3f")
+    """A slider, in diagonals of the mesh or heights of the window, where a brush is in the hand."""
+    if editor.marking.shape != "brush":
+        return
+    psim.SetNextItemWidth(RADIUS_WIDTH)
+    moved, radius = logarithmic("##radius", editor.brush.radius, *BRUSH_RADII, "radius %.3f")
+    psim.SetItemTooltip("Of the brush: Ctrl+wheel, or the keys [ and ]")
     if moved:
         asked.append(c.SetBrush(radius=radius))
+    psim.SameLine()
+    changed, on_screen = psim.Checkbox("same on screen", editor.brush.on_screen)
+    psim.SetItemTooltip("The brush keeps its size on screen when the camera comes closer")
+    if changed:
+        asked.append(c.SetBrush(on_screen=on_screen))
+
+
+def change_marks(editor: Editor, asked: list[c.Command]) -> None:
+    """A line of buttons that change what is marked, without a stroke."""
+    for number, (label, name, tip) in enumerate(CHANGE_BUTTONS):
+        if number:
+            psim.SameLine()
+        if psim.SmallButton(label):
+            asked.append(c.ChangeMarks(name))
+        psim.SetItemTooltip(tip)
 
 
 def new_handle(editor: Editor, asked: list[c.Command]) -> None:
@@ -111,7 +161,9 @@ def gizmo(editor: Editor, asked: list[c.Command]) -> None:
 
 
 OPTIONS: dict[str, Callable[[Editor, list[c.Command]], None]] = {
+    "marking": marking,
     "brush radius": brush_radius,
+    "change marks": change_marks,
     "new handle": new_handle,
     "softness brush": softness_brush,
     "whole softness": whole_softness,
