@@ -41,9 +41,13 @@ class Person:
         display: VirtualDisplay,
         arguments: Sequence[str],
         folder: Path,
-        command: Sequence[str] = (sys.executable, "-P", "-m", "app"),
+        command: Sequence[str] = (),
     ) -> None:
+        """command: what starts the program; by default it, with a note of its widgets."""
         self._display = display
+        self._widgets = folder / "widgets"
+        self._widgets.unlink(missing_ok=True)
+        watched = (sys.executable, "-P", "-m", "tests.gui.watched", str(self._widgets))
         self._log = folder / "output.txt"
         preferences = folder / "preferences"  # of nobody: no test knows of another
         if not preferences.exists():
@@ -58,7 +62,7 @@ class Person:
         self._environment.pop("WAYLAND_DISPLAY", None)
         with self._log.open("wb") as log:
             self.process = subprocess.Popen(
-                [*command, *arguments],
+                [*(command or watched), *arguments],
                 cwd=folder,
                 env=self._environment,
                 stdin=subprocess.DEVNULL,
@@ -140,6 +144,31 @@ class Person:
         for key in hold:
             words += ["keyup", key, "sleep", PAUSE]
         self._xdotool(*words)
+
+    def widget(self, label: str, along: float = 0.5) -> Point:
+        """Where a widget of the panel comes to rest; `along`: from its left to its right end."""
+        places: list[object] = [None]
+
+        def rests() -> bool:
+            time.sleep(2 * PAUSE)
+            note = json.loads(self._widgets.read_text()) if self._widgets.exists() else {}
+            places.append(note.get(label))
+            return places[-1] is not None and places[-1] == places[-2]
+
+        wait_until(rests, what=f"{label!r} in the panel")
+        left, top, right, bottom = json.loads(self._widgets.read_text())[label]
+        return left + along * (right - left), (top + bottom) / 2
+
+    def choose(self, label: str, along: float = 0.5) -> None:
+        """Click on a widget of the panel."""
+        self.click(*self.widget(label, along))
+
+    def open_section(self, title: str, inside: str) -> None:
+        """Unfold a section of the panel, unless what is inside shows already."""
+        self.wait_still()
+        if inside not in json.loads(self._widgets.read_text()):
+            self.choose(title, 0.3)
+        self.widget(inside)
 
     # The keyboard
 

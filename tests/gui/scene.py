@@ -20,6 +20,7 @@ World = tuple[float, float, float]
 Mask = NDArray[np.bool_]
 
 PARKED = (1250, 500)  # beside every mesh, where the mouse is in nobody's way
+SAME = 5e-4  # the share of pixels that lines on the surface may change at its rim
 MESSAGE_ROWS = 100  # at the bottom, where messages come and go
 RED = (255, 115, 102)  # of the text of errors
 
@@ -79,6 +80,10 @@ class Scene:
         self.person.wait_still()
         seen = self.view()[:-MESSAGE_ROWS]
         return (np.abs(seen.astype(int) - seen[0, -1]) > 12).any(axis=2)
+
+    def looks_as(self, before: Mask) -> bool:
+        """Whether the surface is where a silhouette had it, but for lines along its rim."""
+        return float((self.silhouette() != before).mean()) < SAME
 
     def view(self) -> Picture:
         """The window without the panel."""

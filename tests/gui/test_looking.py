@@ -14,19 +14,16 @@ from .scene import PARKED, Scene
 
 Image = pytest.importorskip("PIL.Image")
 
-# In the panel, pixels from its top left: the drag tool in the hand, two regions and one handle.
-SMOOTH, REST = (84, 542), (166, 542)
-PICTURE, TURNTABLE, RECORD = (55, 567), (152, 567), (248, 567)
 GHOST = (0.7, 1.425, 0.03)  # on the arm at rest, beside the one that is dragged
 
 
-def changed(scene: Scene, place: tuple[float, float]) -> float:
+def changed(scene: Scene, widget: str) -> float:
     """The share of the scene that looks otherwise once something of the panel was clicked."""
     person = scene.person
     person.move(*PARKED)
     person.wait_still()
     before = scene.view()[:-100].copy()
-    person.click(*place)
+    person.choose(widget)
     person.move(*PARKED)
     person.wait_still()
     return float((scene.view()[:-100] != before).any(axis=2).mean())
@@ -38,17 +35,17 @@ def color(scene: Scene, point: tuple[float, float, float]) -> np.ndarray:
     return np.asarray(scene.person.picture()[y, x].astype(int))
 
 
-def saved(person: Person, path: Path, place: tuple[float, float]) -> Path:
-    person.click(*place)
+def saved(person: Person, path: Path, widget: str) -> Path:
+    person.choose(widget)
     wait_until(path.exists, what=path.name)
     return path
 
 
 def test_flat_shading_and_the_ghost_of_the_rest_shape(ready: Scene) -> None:
     scene = ready
-    assert changed(scene, SMOOTH) > 0.02
-    assert changed(scene, SMOOTH) > 0.02
-    assert changed(scene, REST) < 0.005, "at rest it is hidden by the surface"
+    assert changed(scene, "smooth") > 0.02
+    assert changed(scene, "smooth") > 0.02
+    assert changed(scene, "rest shape") < 0.005, "at rest it is hidden by the surface"
     scene.stroke(*DRAG)
     scene.save_mesh()
     scene.person.move(*PARKED)
@@ -56,7 +53,7 @@ def test_flat_shading_and_the_ghost_of_the_rest_shape(ready: Scene) -> None:
     background, ghost = scene.view()[0, -1].astype(int), color(scene, GHOST)
     assert (ghost < background - 20).all()
     assert np.ptp(ghost) < 15, "grey"
-    assert changed(scene, REST) > 0.005
+    assert changed(scene, "rest shape") > 0.005
     assert np.abs(color(scene, GHOST) - background).max() < 3
 
 
@@ -65,25 +62,26 @@ def test_pictures_and_films_are_saved_beside_the_mesh_and_replace_nothing(
 ) -> None:
     scene, person = ready, ready.person
     width, height = person.size()
+    person.key("1")  # without the gizmo
     person.move(*PARKED)
     person.wait_still()
     shown = scene.view()[:-100].copy()
-    with Image.open(saved(person, tmp_path / "mannequin-picture.png", PICTURE)) as image:
+    with Image.open(saved(person, tmp_path / "mannequin-picture.png", "Picture")) as image:
         assert image.size == (width - scene.panel, height)
         pixels = np.asarray(image).astype(int)
     assert np.abs(pixels[:-100] - shown).max() < 3
-    saved(person, tmp_path / "mannequin-picture-2.png", PICTURE)
+    saved(person, tmp_path / "mannequin-picture-2.png", "Picture")
 
-    person.click(*RECORD)
+    person.choose("Record")
     scene.stroke(*DRAG)
-    with Image.open(saved(person, tmp_path / "mannequin-recording.gif", RECORD)) as film:
+    with Image.open(saved(person, tmp_path / "mannequin-recording.gif", "Record")) as film:
         first = np.asarray(film.convert("RGB")).astype(int)
         film.seek(film.n_frames - 1)
         last = np.asarray(film.convert("RGB")).astype(int)
     assert (np.abs(last - first).max(axis=2) > 40).mean() > 0.005, "the arm has moved"
 
     still = scene.silhouette()
-    with Image.open(saved(person, tmp_path / "mannequin-turntable.gif", TURNTABLE)) as film:
+    with Image.open(saved(person, tmp_path / "mannequin-turntable.gif", "Turntable")) as film:
         assert film.n_frames == 72
     assert np.array_equal(scene.silhouette(), still), "the camera is where it was"
     assert person.quit() == 0

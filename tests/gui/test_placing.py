@@ -11,8 +11,6 @@ from solver.geometry.motions import rotation
 from .scene import PARKED, Scene
 
 FOREARM = (0.62, 1.425, 0.03)  # free
-# In the panel with the drag tool in the hand: the first field for the rotation.
-ROTATION_X = (44, 273)
 
 
 def transform(scene: Scene) -> NDArray[np.float64]:
@@ -87,7 +85,7 @@ def test_the_gizmo_turns_and_moves_and_escape_takes_back(ready: Scene) -> None:
 def test_numbers_are_typed_in_the_panel(ready: Scene) -> None:
     scene, person = ready, ready.person
     person.key("5")
-    person.drag([ROTATION_X], hold=["ctrl"])
+    person.drag([person.widget("##rx")], hold=["ctrl"])
     person.type("90")
     person.key("Return")
     check_turned(scene, 90, (1, 0, 0))

@@ -12,23 +12,16 @@ from solver.types import FloatArray
 from .person import wait_until
 from .scene import Scene, positions
 
-# Where things stand in the panel with one handle and the drag tool in the hand.
-FOLD, KEEP, EXPORT = (70, 474), (45, 497), (145, 497)
-NAME, MORE = (100, 522), (280, 522)
-SLIDER = [(15, 572), (155, 572)]  # from its left end to its middle
-RIGHT_END = (299, 572)
-DUPLICATE = (350, 557)  # in the menu that MORE opens
-
 
 def keep(scene: Scene, name: str) -> None:
     """Bend the arm with the drag tool, keep the pose and give it a name."""
     person = scene.person
     person.key("5")
     scene.stroke(*DRAG)
-    person.click(*FOLD)
-    person.click(*KEEP)
+    person.open_section("Kept poses", "Keep pose")
+    person.choose("Keep pose")
     person.wait_still()
-    person.click(*NAME)
+    person.choose("##pose")
     person.key("ctrl+a")
     person.type(name)
     person.key("Return")
@@ -46,7 +39,7 @@ def test_an_arm_is_kept_and_blended_halfway(ready: Scene) -> None:
     fist = np.array(session["poses"][0]["transforms"]["hand"])
     np.testing.assert_array_equal(fist, session["handles"][0]["transform"])
 
-    person.drag(SLIDER)
+    person.drag([person.widget("##share", at) for at in (0.02, 0.5)])
     half = transform(scene)
     angle, whole = (np.arccos((np.trace(T[:3, :3]) - 1) / 2) for T in (half, fist))
     assert 0.4 < angle / whole < 0.6
@@ -65,7 +58,7 @@ def test_an_arm_is_kept_and_blended_halfway(ready: Scene) -> None:
     solved = deformer.pose([half], rigid=setup["settings"]["rigid"])
     np.testing.assert_allclose(positions(scene.save_mesh()), solved, atol=1e-6)
 
-    person.drag([SLIDER[1], RIGHT_END])
+    person.drag([person.widget("##share", at) for at in (0.5, 1.1)])
     np.testing.assert_array_equal(transform(scene), fist)
     person.key("ctrl+z")
     np.testing.assert_array_equal(transform(scene), half)
@@ -76,14 +69,14 @@ def test_an_arm_is_kept_and_blended_halfway(ready: Scene) -> None:
 def test_all_poses_are_exported_while_the_one_on_screen_stays(ready: Scene) -> None:
     scene, person = ready, ready.person
     keep(scene, "fist")
-    person.click(*MORE)
+    person.choose("...")
     person.wait_still()
-    person.click(*DUPLICATE)
+    person.choose("Duplicate")
     bent = positions(scene.save_mesh())
     person.key("ctrl+r")
     person.move(1200, 700)
     person.wait_still()
-    person.click(*EXPORT)
+    person.choose("Export poses")
     files = [scene.export.with_name(f"out-{name}.obj") for name in ("fist", "fist_2")]
     wait_until(lambda: all(file.exists() for file in files), what="the poses")
     for file in files:
@@ -93,10 +86,12 @@ def test_all_poses_are_exported_while_the_one_on_screen_stays(ready: Scene) -> N
 
 def test_the_rest_shape_is_seen_while_its_key_is_held_and_nothing_changes(ready: Scene) -> None:
     scene, person = ready, ready.person
+    person.key("1")
     at_rest = scene.silhouette()
     person.key("5")
     scene.stroke(*DRAG)
     session = scene.save_session()
+    person.key("1")
     bent = scene.silhouette()
     assert (bent != at_rest).mean() > 0.01
     person.hold("grave")

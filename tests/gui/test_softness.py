@@ -6,28 +6,21 @@ import numpy as np
 
 from app.demo import DRAG
 
-from .person import wait_until
+from .person import Point, wait_until
 from .scene import Scene
 
 LEFT, MIDDLE, RIGHT = (3.0, 4.0, 0.0), (10.0, 4.0, 0.0), (17.0, 4.0, 0.0)
-# Where things stand in the panel, in pixels from its top left.
-TO_ZERO = [(120, 246), (12, 246)]  # along the slider for the softness brush's value
-FILL, FILL_ROWS = 25, range(260, 340, 10)
-MAP, AREA = (100, 492), (60, 605)  # the drag tool in the hand, two regions and one handle listed
 
 
-def fill(scene: Scene) -> None:
-    """Press the button, wherever its row is: the first that changes the surface's colours."""
+def below(place: Point, rows: int) -> Point:
+    """So many rows of an opened list below its field."""
+    return place[0], place[1] + 22.6 * rows
+
+
+def value_to_zero(scene: Scene) -> None:
+    """Along the slider for the softness brush's value."""
     person = scene.person
-    person.wait_still()
-    before = scene.view().copy()
-    for row in FILL_ROWS:
-        person.click(FILL, row)
-        person.move(1200, 700)
-        person.wait_still()
-        if np.mean(scene.view()[:-100] != before[:-100]) > 0.02:
-            return
-    raise AssertionError("no button of the panel fills")
+    person.drag([person.widget("##value", at) for at in (0.9, 0.0)])
 
 
 def shown(scene: Scene, points: list[tuple[float, float, float]]) -> np.ndarray:
@@ -46,7 +39,7 @@ def test_dabs_are_filled_in_between_and_the_map_shows_it(plate: Scene) -> None:
     person.key("4")
     scene.resize_brush(4)
     scene.stroke(RIGHT)
-    person.drag(TO_ZERO)
+    value_to_zero(scene)
     scene.stroke(LEFT)
     person.move(1200, 700)
     person.wait_still()
@@ -55,7 +48,9 @@ def test_dabs_are_filled_in_between_and_the_map_shows_it(plate: Scene) -> None:
     painted = np.array(scene.save_session()["softness"])
     assert np.ptp(before) < 3
 
-    fill(scene)
+    person.choose("Fill")
+    person.move(1200, 700)
+    person.wait_still()
     filled = np.array(scene.save_session()["softness"])
     assert ((filled > 0.02) & (filled < 0.98)).mean() > 0.5
     assert filled.max() <= painted.max() + 1e-12
@@ -71,7 +66,7 @@ def test_pins_are_dots_in_the_softness_map_only(plate: Scene) -> None:
     scene, person = plate, plate.person
     person.key("4")
     scene.resize_brush(8)
-    person.drag(TO_ZERO)  # so that nothing but the pins is to be seen
+    value_to_zero(scene)  # so that nothing but the pins is to be seen
 
     def dots() -> int:
         person.move(1200, 700)
@@ -93,8 +88,10 @@ def test_pins_are_dots_in_the_softness_map_only(plate: Scene) -> None:
 def test_a_heat_map_colours_the_fold_and_only_that(ready: Scene) -> None:
     scene, person = ready, ready.person
     person.key("5")
-    person.click(*MAP)
-    person.click(*AREA)
+    person.open_section("Colours", "##map")
+    person.choose("##map")
+    person.wait_still()
+    person.click(*below(person.widget("##map"), 5))
     person.move(1200, 700)
     person.wait_still()
     (body,) = scene.pixels([(0.0, 1.1, 0.1)])

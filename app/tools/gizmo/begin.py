@@ -49,8 +49,13 @@ def gizmo_cursor(work: Workspace, frame: Input) -> tuple[Overlay, Part | None]:
 
 
 def _gizmo(work: Workspace, camera: Camera) -> Gizmo | None:
-    """None where it is switched off, there is nothing to place, or the camera is past it."""
-    pivot = work.pivot if work.placing.gizmo else None
+    """None where it is switched off, there is nothing to place, or the camera is past it.
+
+    Nor for a pin: it is there to be dragged, and the next may be put right beside it.
+    """
+    active = work.active
+    shows = work.placing.gizmo and active is not None and not active.pin
+    pivot = work.pivot if shows else None
     if pivot is None or camera.depth(pivot) <= 0:
         return None
     return Gizmo(pivot, _axes(work, camera), camera)

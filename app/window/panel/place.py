@@ -6,7 +6,8 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.window.panel.widgets import BUTTON_COLUMN, REST_OF_LINE
+from app.window.panel.widgets import BUTTON_COLUMN, REST_OF_LINE, button_column
+from app.window.scaling import scaled
 from app.workspace.placing import rotation_of
 from solver.geometry.motions import euler_angles
 
@@ -35,7 +36,7 @@ class PlaceRows:
         transform = editor.document.pose.of(active.key)
         x, y, z = euler_angles(rotation_of(transform)) + 0.0  # no minus before a zero
         self._rotation(self._angles or (x, y, z), asked)
-        psim.SameLine(BUTTON_COLUMN)
+        button_column()
         if psim.Button("reset", REST_OF_LINE):
             asked.append(c.ResetHandle(active.key))
         psim.SetItemTooltip(f"{active.name} back to rest")
@@ -62,7 +63,7 @@ class PlaceRows:
 def _fields(name: str, values: Triple, speed: float) -> list[tuple[float, bool, bool]]:
     """Each number as it is now, whether it was changed, and whether its field is in use."""
     found = []
-    width = (BUTTON_COLUMN - 4 * psim.GetStyle().ItemSpacing[0]) / 3
+    width = (scaled(BUTTON_COLUMN) - 4 * psim.GetStyle().ItemSpacing[0]) / 3
     for axis, value in zip("xyz", values, strict=True):
         psim.SetNextItemWidth(width)
         changed, new = psim.DragFloat(f"##{name}{axis}", value, speed, 0.0, 0.0, f"{axis} %.4g")

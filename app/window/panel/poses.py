@@ -11,6 +11,7 @@ from app.editor.action import MOST_BETWEEN
 from app.editor.editor import Editor
 from app.model.poses import REST, REST_NAME, KeptPose
 from app.window.panel.widgets import REST_OF_LINE, halves
+from app.window.scaling import scaled
 from app.window.shortcuts import WindowAction
 
 ROWS, HEIGHT = 3, 800.0  # more than these scroll in a window of this height
@@ -49,7 +50,7 @@ def rest_menu(editor: Editor, asked: list[c.Command]) -> None:
 
 def _rows(editor: Editor, asked: list[c.Command]) -> None:
     kept, line = editor.document.poses, psim.GetFrameHeightWithSpacing()
-    room = ROWS + max(int((psim.GetIO().DisplaySize[1] - HEIGHT) / line), 0)
+    room = ROWS + max(int((psim.GetIO().DisplaySize[1] - scaled(HEIGHT)) / line), 0)
     psim.BeginChild("##poses", (0.0, min(len(kept), room) * line))
     for pose in kept:
         psim.PushID(str(pose.key))
@@ -64,8 +65,8 @@ def _row(editor: Editor, kept: KeptPose, asked: list[c.Command]) -> None:
         asked.append(c.GoToPose(kept.key))
     psim.SetItemTooltip("Go to this pose")
     psim.SameLine()
-    psim.SetNextItemWidth(NAME_WIDTH)
-    _, name = psim.InputText("##name", kept.name)
+    psim.SetNextItemWidth(scaled(NAME_WIDTH))
+    _, name = psim.InputText("##pose", kept.name)
     # Once it is typed: on the way to its name it may be called like another.
     if psim.IsItemDeactivatedAfterEdit() and name != kept.name:
         asked.append(c.RenamePose(kept.key, name))
@@ -127,7 +128,7 @@ def _export(editor: Editor, asked: list[c.Command]) -> None:
         "morph targets of a GLB or glTF, else files beside it"
     )
     psim.SameLine()
-    psim.SetNextItemWidth(BETWEEN_WIDTH)
+    psim.SetNextItemWidth(scaled(BETWEEN_WIDTH))
     changed, between = psim.InputInt("between", editor.blend.between, 0)
     psim.SetItemTooltip("How many shapes an export has between one pose and the next")
     if changed:

@@ -12,6 +12,7 @@ from app.tools.marking_shapes import SHAPES
 from app.tools.softness_strokes import SOFTNESS_MODES
 from app.window.panel.place import PlaceRows
 from app.window.panel.widgets import REST_OF_LINE, disabled, halves, logarithmic
+from app.window.scaling import scaled
 from app.workspace.placing import AXES, PIVOTS
 
 PICK_WIDTH = 44.0
@@ -145,7 +146,7 @@ def gizmo(editor: Editor, asked: list[c.Command]) -> None:
     psim.SetItemTooltip("Rings turn, arrows move, the circle turns freely. Ctrl: round values")
     if changed:
         asked.append(c.SetPlacing(gizmo=on))
-    room = psim.GetContentRegionAvail()[0] - PICK_WIDTH - 2 * psim.GetStyle().ItemSpacing[0]
+    room = psim.GetContentRegionAvail()[0] - scaled(PICK_WIDTH) - 2 * psim.GetStyle().ItemSpacing[0]
     for field, names in (("axes", AXES), ("pivot", PIVOTS)):
         psim.SetNextItemWidth(0.5 * room)
         labels = [NAMED.get(name, f"{name} {field}") for name in names]
