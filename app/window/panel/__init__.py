@@ -8,7 +8,7 @@ from app.editor import commands as c
 from app.editor.editor import Editor
 from app.window.panel.file_rows import FileRows
 from app.window.panel.looking import LookingRows
-from app.window.panel.sections import ROOMY, SECTIONS, Section, draw_section
+from app.window.panel.sections import SECTIONS, TALL, Section, draw_section
 from app.window.panel.widgets import CONTENT_WIDTH, ERROR_COLOR, WIDTH
 from app.window.scaling import scaled
 from app.window.shortcuts import SHORTCUTS
@@ -45,7 +45,7 @@ class Panel:
         self.file_rows = file_rows
         self._sections = (
             *SECTIONS,
-            Section("View", looking.draw, ROOMY),
+            Section("View", looking.draw, TALL),
             Section("Files", file_rows.draw),
         )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import polyscope.imgui as psim
 
 from app.editor import commands as c
@@ -13,6 +14,8 @@ from solver.geometry.motions import euler_angles
 
 DEGREES_A_PIXEL = 0.5
 PIXELS_A_DIAGONAL = 500.0
+LARGE = 1e4  # of a diagonal: no room for decimals
+EXACT = psim.ImGuiSliderFlags_NoRoundToFormat
 
 Triple = tuple[float, float, float]
 
@@ -42,14 +45,18 @@ class PlaceRows:
         psim.SetItemTooltip(f"{active.name} back to rest")
 
     def _position(self, diagonal: float, now: Triple, asked: list[c.Command]) -> None:
-        for axis, (value, changed, _) in enumerate(_fields("m", now, diagonal / PIXELS_A_DIAGONAL)):
+        # As many decimals as tell thousandths of the mesh apart.
+        decimals = int(np.clip(np.ceil(3 - np.log10(max(diagonal, 1e-30))), 0, 9))
+        form = f"%.{decimals}f" if diagonal < LARGE else "%.4g"
+        fields = _fields("m", now, diagonal / PIXELS_A_DIAGONAL, form)
+        for axis, (value, changed, _) in enumerate(fields):
             if changed:
                 asked.append(c.SetPosition(axis, value))
         psim.SetItemTooltip("Where the pivot is; drag, or Ctrl+click and type")
         psim.NewLine()
 
     def _rotation(self, now: Triple, asked: list[c.Command]) -> None:
-        fields = _fields("r", now, DEGREES_A_PIXEL)
+        fields = _fields("r", now, DEGREES_A_PIXEL, "%.4g")
         angles = list(now)
         for axis, (value, changed, _) in enumerate(fields):
             if changed:
@@ -60,13 +67,14 @@ class PlaceRows:
         psim.SetItemTooltip("Degrees about x, y and z; drag, or Ctrl+click and type")
 
 
-def _fields(name: str, values: Triple, speed: float) -> list[tuple[float, bool, bool]]:
+def _fields(name: str, values: Triple, speed: float, form: str) -> list[tuple[float, bool, bool]]:
     """Each number as it is now, whether it was changed, and whether its field is in use."""
     found = []
     width = (scaled(BUTTON_COLUMN) - 4 * psim.GetStyle().ItemSpacing[0]) / 3
     for axis, value in zip("xyz", values, strict=True):
         psim.SetNextItemWidth(width)
-        changed, new = psim.DragFloat(f"##{name}{axis}", value, speed, 0.0, 0.0, f"{axis} %.4g")
+        field = f"##{name}{axis}", value, speed, 0.0, 0.0, f"{axis} {form}", EXACT
+        changed, new = psim.DragFloat(*field)
         # The widget's numbers have seven digits: what was typed is the shortest with these.
         found.append((float(f"{new:.7g}"), bool(changed), bool(psim.IsItemActive())))
         psim.SameLine()

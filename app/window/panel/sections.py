@@ -47,7 +47,7 @@ SECTIONS = (
     Section("Pose", pose),
     Section("Kept poses", poses, ROOMY),
     Section("Mirror", mirror, TALL),
-    Section("Colours", colours, ROOMY),
+    Section("Colours", colours, TALL),
 )
 
 

@@ -132,8 +132,10 @@ def turns_by_itself(editor: Editor, asked: list[c.Command]) -> None:
 def keep(editor: Editor, asked: list[c.Command]) -> None:
     """Whether a grab of the bare surface leaves a pin."""
     psim.SameLine()
-    changed, on = psim.Checkbox("keep grabs", editor.keep)
-    psim.SetItemTooltip("A grab of the bare surface leaves a pin instead of letting go (K)")
+    changed, on = psim.Checkbox("keep", editor.keep)
+    psim.SetItemTooltip(
+        "What is grabbed of the bare surface stays, as a pin, instead of being let go of (K)"
+    )
     if changed:
         asked.append(c.SetKeep(on))
 

@@ -19,7 +19,7 @@ FRAMED = ("Button", "SmallButton")
 FREE = (
     *("Text", "TextDisabled", "TextColored", "TextWrapped", "Checkbox", "RadioButton", "Combo"),
     *("SliderInt", "SliderFloat", "InputText", "InputTextWithHint", "ColorButton", "BeginCombo"),
-    *("TreeNode", "CollapsingHeader", "Dummy"),
+    *("TreeNode", "CollapsingHeader", "Dummy", "DragFloat", "InputInt"),
 )
 
 

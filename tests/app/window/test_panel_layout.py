@@ -59,6 +59,13 @@ def check(items: list[Item], height: int, scale: float) -> None:
     assert last.below == 0 or last.high[1] > height, "nothing scrolls that fits"
 
 
+@pytest.mark.parametrize("tool", ["fixed", "handle", "drag"])
+def test_the_options_of_other_tools(tool: str) -> None:
+    items = layout(1280, 800, 1.0, tool, ASSETS / "dressed-elbow.json")
+    check(items, 800, 1.0)
+    assert "##mx" in {item.label for item in items} or tool != "drag"
+
+
 @pytest.mark.parametrize(("width", "height", "scale"), SCREENS)
 def test_a_character_of_many_parts(width: int, height: int, scale: float) -> None:
     items = layout(width, height, scale, "softness", ASSETS / "dressed-elbow.json")
