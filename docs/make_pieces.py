@@ -12,8 +12,8 @@ from scipy.spatial import cKDTree
 
 from app.bundled import ASSETS
 from app.graphics import loading
+from app.scene.scene import Scene
 from app.viewpoint.camera import FIELD_OF_VIEW, Camera
-from app.workspace.scene import Scene
 from assets.generator.elbow import softness
 from assets.generator.figure import ARM_DEPTH, ARM_HEIGHT, ELBOW, WRIST
 from solver import Deformer, load_mesh

@@ -8,8 +8,8 @@ from pathlib import Path
 from app.bundled import DEFAULT_MESH
 from app.figures.figure import Figure
 from app.graphics import loading
+from app.scene.scene import Dots, Scene, dot_radius
 from app.viewpoint.camera import FIELD_OF_VIEW, Camera
-from app.workspace.scene import Dots, Scene, dot_radius
 from solver import load_mesh
 from solver.geometry.topology import Topology
 

@@ -9,9 +9,9 @@ import numpy as np
 
 from app.model.handles import FREE, GRAB
 from app.model.history import Gesture
+from app.pointing.picking import Hit
 from app.tools.drag import Drag
 from app.viewpoint.events import Input
-from app.workspace.picking import Hit
 from app.workspace.workspace import Workspace
 from solver.geometry.procrustes import rigid_motion
 from solver.types import FloatArray, IntArray

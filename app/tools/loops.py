@@ -7,12 +7,12 @@ from typing import ClassVar
 import numpy as np
 
 from app.model.history import Gesture
+from app.scene.overlay import ERASING, PAINTING, Outline
 from app.selection.loop import inside_loop
 from app.selection.sight import in_sight
 from app.tools.marks import Marks
 from app.viewpoint.camera import Camera, Pixel
 from app.viewpoint.events import Input
-from app.workspace.overlay import ERASING, PAINTING, Outline
 from app.workspace.workspace import Workspace
 from solver.types import FloatArray, IntArray
 

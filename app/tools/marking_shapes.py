@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.model.history import Gesture
+from app.scene.overlay import NOTHING, Overlay
 from app.tools.loops import Box, Loop
 from app.tools.marks import Mark, Marks
 from app.tools.strokes import Stroke
@@ -15,7 +16,6 @@ from app.tools.tool import NEAR_SURFACE, Begin, Cursor, brush_cursor
 from app.tools.whole_parts import begin_part
 from app.viewpoint.events import Input
 from app.workspace.nearby import near_surface
-from app.workspace.overlay import NOTHING, Overlay
 from app.workspace.workspace import Interaction, Workspace
 
 

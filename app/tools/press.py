@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import ClassVar
 
 from app.model.handles import FIXED
+from app.scene.overlay import HOVERED, Outline, Overlay
 from app.tools.drag import Drag
 from app.tools.gizmo.begin import gizmo_cursor
 from app.tools.grab import Grab
 from app.tools.tool import brush_cursor
 from app.viewpoint.events import Input
 from app.workspace.nearby import near_handle
-from app.workspace.overlay import HOVERED, Outline, Overlay
 from app.workspace.workspace import Interaction, Workspace
 
 NEAR_HANDLE = 10.0  # pixels beside a handle that still count

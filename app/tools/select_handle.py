@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import ClassVar
 
+from app.pointing.picking import Hit
 from app.tools.tool import on_surface
 from app.viewpoint.events import Input
-from app.workspace.picking import Hit
 from app.workspace.workspace import Interaction, Workspace
 
 

@@ -7,11 +7,11 @@ from typing import ClassVar
 import numpy as np
 
 from app.model.history import Gesture
+from app.pointing.brush import MAX_DABS
+from app.pointing.picking import Hit
 from app.tools.marks import Paint
 from app.viewpoint.camera import Ray, rays_between
 from app.viewpoint.events import Input
-from app.workspace.brush import MAX_DABS
-from app.workspace.picking import Hit
 from app.workspace.workspace import Workspace
 from solver.types import FloatArray
 

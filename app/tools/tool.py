@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from app.pointing.brush_rim import brush_rim
+from app.pointing.picking import Hit
+from app.scene.overlay import ERASING, NOTHING, PAINTING, Overlay
 from app.tools.marks import Marks
 from app.viewpoint.events import Input
-from app.workspace.brush_rim import brush_rim
 from app.workspace.nearby import near_surface
-from app.workspace.overlay import ERASING, NOTHING, PAINTING, Overlay
-from app.workspace.picking import Hit
 from app.workspace.workspace import Interaction, Workspace
 
 NEAR_SURFACE = 15.0  # pixels beside the surface that still count

@@ -5,10 +5,10 @@ from __future__ import annotations
 import polyscope.imgui as psim
 
 from app.editor import commands as c
+from app.pointing.brush import Brush
 from app.viewpoint.camera import Camera
 from app.viewpoint.events import BACKSPACE, ENTER, Input
 from app.window.shortcuts import SHORTCUTS, Shortcut
-from app.workspace.brush import Brush
 
 TYPED = {
     **{getattr(psim, f"ImGuiKey_{digit}"): digit for digit in "0123456789"},

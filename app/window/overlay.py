@@ -7,9 +7,9 @@ from itertools import pairwise
 import numpy as np
 import polyscope.imgui as psim
 
+from app.scene.overlay import Fill, Label, Outline, Overlay
 from app.viewpoint.camera import Camera
 from app.window.scaling import scaled
-from app.workspace.overlay import Fill, Label, Outline, Overlay
 
 # A line is bright on a wider dark one, so that it is seen on every colour.
 DARK, DARK_RIM = (30, 30, 40, 200), 2.0

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import polyscope.imgui as psim
 
 from app.editor import commands as c
+from app.pointing.brush import RADIUS_STEP, Brush
 from app.tools.table import TOOLS
-from app.workspace.brush import RADIUS_STEP, Brush
 
 
 @dataclass(frozen=True)

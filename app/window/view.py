@@ -10,10 +10,10 @@ import numpy as np
 import polyscope as ps
 from numpy.typing import NDArray
 
+from app.scene.looks import PLAIN
+from app.scene.scene import Dots, Lines, Scene
 from app.viewpoint.camera import Camera
 from app.window.scaling import scaled
-from app.workspace.looks import PLAIN
-from app.workspace.scene import Dots, Lines, Scene
 
 SURFACE, COLORS, DOTS, LINES, GHOST = "surface", "colors", "dots", "lines", "ghost"
 EDGE_WIDTH, EDGE_COLOR = 0.6, (0.15, 0.15, 0.2)

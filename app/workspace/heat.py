@@ -6,9 +6,9 @@ import time
 
 import numpy as np
 
+from app.latest import Latest
 from app.model.document import Document
 from app.model.handles import FREE
-from app.workspace.latest import Latest
 from solver.measure.distortion import Distortion
 from solver.mesh.mesh import Mesh
 from solver.types import FloatArray

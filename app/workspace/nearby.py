@@ -7,8 +7,8 @@ from itertools import product
 import numpy as np
 
 from app.model.handles import FIRST_HANDLE
+from app.pointing.picking import Hit
 from app.viewpoint.events import Input
-from app.workspace.picking import Hit
 from app.workspace.workspace import Workspace
 from solver.types import FloatArray
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from typing import ClassVar
 
+from app.scene.overlay import Overlay
 from app.viewpoint.events import Input
-from app.workspace.overlay import Overlay
 
 
 class Operator(ABC):

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from app.latest import Latest
 from app.model.document import Document
 from app.model.handles import FREE
 from app.viewpoint.camera import Camera
-from app.workspace.latest import Latest
 from solver.geometry.motions import moved
 from solver.geometry.procrustes import procrustes
 from solver.types import FloatArray, IntArray

@@ -8,7 +8,7 @@ import numpy as np
 
 from app.model.document import Document
 from app.model.handles import FIRST_HANDLE, Pose
-from app.workspace.picking import Hit
+from app.pointing.picking import Hit
 from solver.geometry.reflection import Plane, find_plane, partners
 from solver.mesh.mesh import Mesh
 from solver.types import FloatArray, IntArray

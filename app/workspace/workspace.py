@@ -11,26 +11,26 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import ClassVar, Literal, Protocol
 
+from app.latest import Latest
+from app.live.live_surface import LiveSurface
 from app.model.document import Document, clock
 from app.model.handles import Handle, Pose
 from app.model.history import Entry, Gesture, History
+from app.pointing.brush import Brush, Neighbours
+from app.pointing.picking import Hit, Picker
+from app.scene.looks import PLAIN, Looks
+from app.scene.regions import Regions
 from app.selection.limbs import Limbs
 from app.viewpoint.camera import Camera, Ray
 from app.viewpoint.events import Input
 from app.viewpoint.viewpoint import Viewpoint
 from app.worker.client import Worker
 from app.workspace.blend import Blend
-from app.workspace.brush import Brush, Neighbours
 from app.workspace.heat import Heat
-from app.workspace.latest import Latest
-from app.workspace.live_surface import LiveSurface
-from app.workspace.looks import PLAIN, Looks
 from app.workspace.marking import Marking
 from app.workspace.parts import Parts
-from app.workspace.picking import Hit, Picker
 from app.workspace.placing import Pivots, Placing
 from app.workspace.recent import Recent
-from app.workspace.regions import Regions
 from app.workspace.symmetry import Symmetry
 from solver.mesh.progress import Progress
 from solver.types import FloatArray

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from app.demo import DRAG
-from app.workspace.brush import Brush
+from app.pointing.brush import Brush
 
 from .person import wait_until
 from .scene import Scene, World

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from app.scene.overlay import NOTHING, Overlay
 from app.tools.gizmo.freedoms import TurnAbout, TurnFreely
 from app.tools.gizmo.placement import Placement, free_freedom
 from app.tools.gizmo.shape import Gizmo, Part
 from app.viewpoint.camera import Camera
 from app.viewpoint.events import Input
-from app.workspace.overlay import NOTHING, Overlay
 from app.workspace.placing import axes_of
 from app.workspace.workspace import Interaction, Workspace
 from solver.types import FloatArray

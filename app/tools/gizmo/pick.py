@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from app.pointing.picking import Hit
+from app.scene.overlay import NOTHING, Label, Overlay
 from app.viewpoint.events import Input
 from app.workspace.operator import Operator
-from app.workspace.overlay import NOTHING, Label, Overlay
-from app.workspace.picking import Hit
 from app.workspace.workspace import Workspace
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from app.model.handles import Handle, Pose
 from app.model.history import Gesture
+from app.scene.overlay import Label, Overlay
 from app.tools.gizmo.freedoms import (
     Freedom,
     MoveAcross,
@@ -21,7 +22,6 @@ from app.tools.gizmo.shape import axis_line, turn_circle
 from app.viewpoint.camera import Camera, Pixel
 from app.viewpoint.events import Input
 from app.workspace.operator import Operator
-from app.workspace.overlay import Label, Overlay
 from app.workspace.placing import axes_of
 from app.workspace.workspace import Workspace
 from solver.types import FloatArray

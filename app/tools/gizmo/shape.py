@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from app.scene.overlay import Color, Fill, Outline, Overlay
 from app.tools.gizmo.freedoms import Freedom, MoveAlong, TurnAbout, TurnFreely
 from app.viewpoint.camera import Camera, Pixel
-from app.workspace.overlay import Color, Fill, Outline, Overlay
 from solver.types import FloatArray
 
 RADIUS = 80.0  # pixels, of the rings

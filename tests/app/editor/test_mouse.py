@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from app.editor import commands as c
+from app.scene.overlay import NOTHING
 from app.tools.table import TOOLS
-from app.workspace.overlay import NOTHING
 from tests.app.person import Person, state
 
 OFF_THE_MESH = [30.0, 2.0, 0.0]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from app.pointing.picking import Hit, Picker
 from app.viewpoint.camera import Ray
-from app.workspace.picking import Hit, Picker
 from solver.types import FloatArray
 from tests.app.person import Person
 

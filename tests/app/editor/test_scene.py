@@ -10,11 +10,11 @@ import pytest
 from app.bundled import DEFAULT_MESH
 from app.editor import commands as c
 from app.model.handles import FIXED
+from app.scene.overlay import ERASING, NOTHING, PAINTING, Outline, Overlay
 from app.tools.table import TOOLS
 from app.tools.tool import Tool
 from app.viewpoint.camera import Pixel
 from app.viewpoint.events import Input
-from app.workspace.overlay import ERASING, NOTHING, PAINTING, Outline, Overlay
 from app.workspace.workspace import Workspace
 from tests.app.person import Person, state
 

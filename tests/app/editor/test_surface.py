@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from app.editor import commands as c
+from app.live.live_surface import BindError
 from app.model.document import Document
 from app.tools.table import TOOLS
 from app.worker.requests import BindRequest
-from app.workspace.live_surface import BindError
 from solver import Mesh
 from tests.app.person import IdleWorker, Person, error_of, sheet, slab
 

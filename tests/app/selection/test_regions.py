@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from app.pointing.brush import Neighbours
 from app.selection.regions import grown, shrunk, smoothed_region, vertex_areas
-from app.workspace.brush import Neighbours
 from solver.types import BoolArray
 from tests.app.person import sheet, slab
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from app.bundled import ASSETS
+from app.pointing.brush import Neighbours
+from app.pointing.picking import Picker
 from app.selection.sight import CELL, in_sight
 from app.viewpoint.camera import FIELD_OF_VIEW, Camera, Ray
-from app.workspace.brush import Neighbours
-from app.workspace.picking import Picker
 from solver import Mesh, load_mesh
 from solver.types import BoolArray, FloatArray
 from tests.app.person import sheet, slab

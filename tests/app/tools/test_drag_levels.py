@@ -12,9 +12,9 @@ from app.editor.commands import (
     SetSetting,
     SetTurn,
 )
+from app.live import pace
 from app.worker.service import bind
 from app.worker.snapshot import bind_request
-from app.workspace import pace
 from solver.linear.drag_model import DragModel
 from solver.types import FloatArray
 from tests.app.person import IdleWorker, Person, transforms

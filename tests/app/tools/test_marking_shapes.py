@@ -8,8 +8,8 @@ import pytest
 from app.bundled import DEFAULT_MESH
 from app.editor import commands as c
 from app.model.handles import FIRST_HANDLE, FIXED, FREE
+from app.scene.overlay import ERASING, NOTHING, PAINTING
 from app.workspace import workspace
-from app.workspace.overlay import ERASING, NOTHING, PAINTING
 from solver import Mesh, load_mesh
 from solver.types import FloatArray
 from tests.app.person import Person, sheet, slab, state

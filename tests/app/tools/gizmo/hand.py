@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from app.editor import commands as c
+from app.scene.overlay import Outline
 from app.tools.gizmo.shape import RADIUS
-from app.workspace.overlay import Outline
 from solver.types import FloatArray
 from tests.app.person import Person, state
 

@@ -7,6 +7,8 @@ from collections.abc import Callable, Collection
 
 import numpy as np
 
+from app.live.pace import Pace
+from app.live.refinements import Refinements, at_rest
 from app.model.document import Document, clock
 from app.model.handles import GRAB, Pose
 from app.worker.client import Worker
@@ -22,8 +24,6 @@ from app.worker.requests import (
     check_positions,
 )
 from app.worker.snapshot import bind_request, preparation
-from app.workspace.pace import Pace
-from app.workspace.refinements import Refinements, at_rest
 from solver.errors import SolverError
 from solver.types import FloatArray
 

@@ -2,9 +2,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from app.pointing.brush import Neighbours
+from app.pointing.picking import Hit, Picker
 from app.viewpoint.camera import Ray
-from app.workspace.brush import Neighbours
-from app.workspace.picking import Hit, Picker
 from solver import Mesh
 from solver.softness.falloff import falloff
 from solver.types import FloatArray

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sp
 
+from app.pointing.picking import Hit
 from app.selection.solids import solid_vertices
-from app.workspace.picking import Hit
 from solver.geometry.topology import Topology, components
 from solver.geometry.welding import seam_links, weld
 from solver.softness.falloff import falloff

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.workspace.looks import PLAIN, Looks
-from app.workspace.overlay import NOTHING, Overlay
+from app.scene.looks import PLAIN, Looks
+from app.scene.overlay import NOTHING, Overlay
 from solver.mesh.mesh import Mesh
 from solver.types import FloatArray, IntArray
 

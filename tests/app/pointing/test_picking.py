@@ -3,8 +3,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from app.pointing.picking import Picker
 from app.viewpoint.camera import Ray
-from app.workspace.picking import Picker
 from solver.types import FloatArray
 from tests.app.person import sheet
 

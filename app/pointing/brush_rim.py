@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from app.pointing.brush import Neighbours
+from app.pointing.picking import Hit
+from app.scene.overlay import Color, Outline
 from app.viewpoint.camera import Camera
-from app.workspace.brush import Neighbours
-from app.workspace.overlay import Color, Outline
-from app.workspace.picking import Hit
 from solver.geometry.cross_products import area_vectors
 from solver.types import FloatArray, IntArray
 

@@ -8,10 +8,10 @@ from functools import cached_property
 
 import numpy as np
 
+from app.latest import Latest
 from app.model.document import Document
 from app.model.handles import FIRST_HANDLE, FIXED
-from app.workspace.latest import Latest
-from app.workspace.scene import Lines
+from app.scene.scene import Lines
 from solver.types import BoolArray, FloatArray, IntArray
 
 SELECTED, DARK = (1.0, 1.0, 1.0), (0.1, 0.1, 0.13)

@@ -1,0 +1,1 @@
+"""What the cursor points at, and what a brush there touches."""
