@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection
 
 import numpy as np
 
+from app.live.bound_handles import oriented, placed
 from app.live.pace import Pace
 from app.live.refinements import Refinements, at_rest
 from app.model.document import Document, clock
@@ -16,7 +17,6 @@ from app.worker.requests import (
     BindRequest,
     Bound,
     Failure,
-    PoseError,
     Refined,
     RefineRequest,
     Restarted,
@@ -105,28 +105,14 @@ class LiveSurface:
         """
         assert self.bound is not None
         start = time.perf_counter()
-        number = self.bound.request.keys.index(key)
-        transform = self.bound.model.orient(number, grabbed, target, self._transforms(document))
+        transforms = self._transforms(document)
+        transform = oriented(self.bound, key, grabbed, target, transforms)
         self.orient_seconds = time.perf_counter() - start
-        if not np.isfinite(transform).all():
-            raise PoseError("the solver returned a rotation that is not finite; drag ended")
         return transform
 
     def placed(self, pose: Pose, keys: Collection[int]) -> Pose:
-        """The pose with some handles shifted to where they cost the least energy, as turned.
-
-        Those that the bind in use does not know stay. Raises SolverError.
-        """
-        bound = self.bound.request.keys if self.bound else ()
-        numbers = [number for number, key in enumerate(bound) if key in keys]
-        if self.bound is None or not numbers:
-            return pose
-        transforms = self.bound.model.place(numbers, pose.stacked(bound))
-        if not np.isfinite(transforms).all():
-            raise PoseError("the solver returned a place that is not finite; turning ended")
-        for number in numbers:
-            pose = pose.moved(bound[number], transforms[number])
-        return pose
+        """See `bound_handles.placed`; the same pose while nothing is bound."""
+        return placed(self.bound, pose, keys) if self.bound else pose
 
     def holds(self, key: int) -> bool:
         """Whether the bind in use knows this handle."""

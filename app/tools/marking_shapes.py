@@ -15,8 +15,9 @@ from app.tools.strokes import Stroke
 from app.tools.tool import NEAR_SURFACE, Begin, Cursor, brush_cursor
 from app.tools.whole_parts import begin_part
 from app.viewpoint.events import Input
+from app.workspace.interaction import Interaction
 from app.workspace.nearby import near_surface
-from app.workspace.workspace import Interaction, Workspace
+from app.workspace.workspace import Workspace
 
 
 @dataclass(frozen=True)

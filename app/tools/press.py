@@ -11,8 +11,9 @@ from app.tools.gizmo.begin import gizmo_cursor
 from app.tools.grab import Grab
 from app.tools.tool import brush_cursor
 from app.viewpoint.events import Input
+from app.workspace.interaction import Interaction
 from app.workspace.nearby import near_handle
-from app.workspace.workspace import Interaction, Workspace
+from app.workspace.workspace import Workspace
 
 NEAR_HANDLE = 10.0  # pixels beside a handle that still count
 

@@ -7,7 +7,8 @@ from typing import ClassVar
 from app.pointing.picking import Hit
 from app.tools.tool import on_surface
 from app.viewpoint.events import Input
-from app.workspace.workspace import Interaction, Workspace
+from app.workspace.interaction import Interaction
+from app.workspace.workspace import Workspace
 
 
 class Click:

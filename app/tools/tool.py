@@ -10,8 +10,9 @@ from app.pointing.picking import Hit
 from app.scene.overlay import ERASING, NOTHING, PAINTING, Overlay
 from app.tools.marks import Marks
 from app.viewpoint.events import Input
+from app.workspace.interaction import Interaction
 from app.workspace.nearby import near_surface
-from app.workspace.workspace import Interaction, Workspace
+from app.workspace.workspace import Workspace
 
 NEAR_SURFACE = 15.0  # pixels beside the surface that still count
 Begin = Callable[[Workspace, Input], Interaction | None]

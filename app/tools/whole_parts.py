@@ -6,7 +6,8 @@ import numpy as np
 
 from app.tools.marks import Mark, Marks
 from app.viewpoint.events import Input
-from app.workspace.workspace import Interaction, Workspace
+from app.workspace.interaction import Interaction
+from app.workspace.workspace import Workspace
 from solver.mesh.mesh import Mesh
 from solver.types import BoolArray
 

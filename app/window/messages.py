@@ -8,7 +8,7 @@ import polyscope.imgui as psim
 
 from app.window.panel.widgets import ERROR_COLOR, WIDTH
 from app.window.scaling import scaled
-from app.workspace.workspace import Message
+from app.workspace.interaction import Message
 
 BAR_WIDTH = 240.0
 MESSAGE_SECONDS = {"info": 4.0, "error": 10.0}

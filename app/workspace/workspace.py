@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import ClassVar, Literal, Protocol
+from typing import Literal
 
 from app.latest import Latest
 from app.live.live_surface import LiveSurface
@@ -27,6 +27,7 @@ from app.viewpoint.viewpoint import Viewpoint
 from app.worker.client import Worker
 from app.workspace.blend import Blend
 from app.workspace.heat import Heat
+from app.workspace.interaction import Interaction, Message
 from app.workspace.marking import Marking
 from app.workspace.parts import Parts
 from app.workspace.placing import Pivots, Placing
@@ -35,32 +36,7 @@ from app.workspace.symmetry import Symmetry
 from solver.mesh.progress import Progress
 from solver.types import FloatArray
 
-
-@dataclass(frozen=True)
-class Message:
-    """A line for the person. number: grows, so that the window can tell a new one."""
-
-    text: str
-    kind: Literal["info", "error"]
-    number: int
-
-
 FileState = tuple[int, int]  # when a file was last written, in ns, and how long it is
-
-
-class Interaction(Protocol):
-    """A stroke or a drag in progress. drags: whether it moves handles."""
-
-    drags: ClassVar[bool]
-
-    def move(self, frame: Input) -> None:
-        """The cursor is now there."""
-
-    def finish(self) -> None:
-        """Keep it, as one entry of the history."""
-
-    def cancel(self) -> None:
-        """Restore what was before."""
 
 
 class Workspace:

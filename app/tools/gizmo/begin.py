@@ -8,8 +8,9 @@ from app.tools.gizmo.placement import Placement, free_freedom
 from app.tools.gizmo.shape import Gizmo, Part
 from app.viewpoint.camera import Camera
 from app.viewpoint.events import Input
+from app.workspace.interaction import Interaction
 from app.workspace.placing import axes_of
-from app.workspace.workspace import Interaction, Workspace
+from app.workspace.workspace import Workspace
 from solver.types import FloatArray
 
 

@@ -1,0 +1,32 @@
+"""What a person is in the middle of, and what is said to them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, Literal, Protocol
+
+from app.viewpoint.events import Input
+
+
+@dataclass(frozen=True)
+class Message:
+    """A line for the person. number: grows, so that the window can tell a new one."""
+
+    text: str
+    kind: Literal["info", "error"]
+    number: int
+
+
+class Interaction(Protocol):
+    """A stroke or a drag in progress. drags: whether it moves handles."""
+
+    drags: ClassVar[bool]
+
+    def move(self, frame: Input) -> None:
+        """The cursor is now there."""
+
+    def finish(self) -> None:
+        """Keep it, as one entry of the history."""
+
+    def cancel(self) -> None:
+        """Restore what was before."""
