@@ -17,6 +17,8 @@ from solver.errors import SolverError
 from solver.linear.drag_model import DragModel
 from solver.types import FloatArray
 
+# Vertices: above, the fine Poisson problem of a level takes from half a second on. [docs/scaling.md]
+QUICK = 200_000
 Last = tuple[int, Deformer]  # the number of the mesh, and what is bound of it
 
 
@@ -32,9 +34,16 @@ def bind(request: BindRequest, last: Last | None = None) -> Deformer:
         deformer = last[1].rebound(request.setup)
     if not request.keys:  # nothing to pose: a mesh was opened
         deformer.prepare()
-    # What the first pose of a level prepares belongs to the bind, not to the first drag frame.
-    deformer.pose([np.eye(4)] * deformer.handle_count, rigid=request.rigid)
+    # What the first pose of a level prepares belongs to the bind, not to the first drag frame,
+    # unless it would take so long that a drag at level 0 is worth more.
+    level = request.rigid if _is_quick(request) else 0
+    deformer.pose([np.eye(4)] * deformer.handle_count, rigid=level)
     return deformer
+
+
+def _is_quick(request: BindRequest) -> bool:
+    """Whether a level above 0 is prepared within a fraction of a second."""
+    return len(request.vertices) <= QUICK
 
 
 def released(last: Last | None, request: BindRequest) -> Last | None:
@@ -92,11 +101,13 @@ class SolverService:
     def _first_pose(self, request: Request, value: object) -> Answer | None:
         """The surface with the bind, so that a slider that binds all the time shows what it does.
 
-        None where the window needs none: at rest, or where the linear level is asked for.
+        None where the window needs none: at rest, or where the linear level is asked for; or where
+        a drag should not wait for it.
         """
         if not isinstance(request, BindRequest) or not isinstance(value, DragModel):
             return None
-        if request.rigid == 0 or (request.transforms == np.eye(4)).all():
+        at_rest = (request.transforms == np.eye(4)).all()
+        if request.rigid == 0 or at_rest or not _is_quick(request):
             return None
         return self.answer(request.first_pose)
 

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.worker import client
+from app.model.handles import Pose
+from app.worker import client, service
 from app.worker.client import ProcessWorker
 from app.worker.requests import (
     Bound,
@@ -236,3 +237,21 @@ def test_what_belongs_to_the_mesh_alone_is_found_once(monkeypatch: pytest.Monkey
     assert len(found) == 1
     assert isinstance(service.answer(bind_request(made)).value, DragModel)
     assert len(found) == 1
+
+
+def test_a_large_mesh_can_be_dragged_before_its_level_is_prepared(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    made = document()
+    made.change("rigid", 4)
+    made.change("pose", Pose({2: TARGET}))
+    request = bind_request(made)
+    soon = SolverService().answer(request)
+    assert soon.pose is not None
+    monkeypatch.setattr(service, "QUICK", 10)
+    used = SolverService()
+    answer = used.answer(request)
+    assert isinstance(answer.value, DragModel)
+    assert answer.pose is None
+    later = used.answer(request.first_pose).value
+    np.testing.assert_allclose(later, soon.pose.value, atol=1e-12)
