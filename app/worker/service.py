@@ -17,7 +17,7 @@ from solver.errors import SolverError
 from solver.linear.drag_model import DragModel
 from solver.types import FloatArray
 
-# Vertices: above, the fine Poisson problem of a level takes from half a second on. [docs/scaling.md]
+# Vertices: above, preparing a level above 0 takes from half a second on. [docs/scaling.md]
 QUICK = 200_000
 Last = tuple[int, Deformer]  # the number of the mesh, and what is bound of it
 

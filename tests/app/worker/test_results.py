@@ -254,4 +254,6 @@ def test_a_large_mesh_can_be_dragged_before_its_level_is_prepared(
     assert isinstance(answer.value, DragModel)
     assert answer.pose is None
     later = used.answer(request.first_pose).value
+    assert isinstance(later, np.ndarray)
+    assert isinstance(soon.pose.value, np.ndarray)
     np.testing.assert_allclose(later, soon.pose.value, atol=1e-12)
