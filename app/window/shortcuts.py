@@ -90,12 +90,14 @@ SHORTCUTS = (
     Shortcut("Home", "Front view of all", psim.ImGuiKey_Home, _always(c.ViewFrom("front"))),
     *(
         Shortcut(
-            f"Keypad {key}",
-            f"View from {name}",
+            f"{'Ctrl+' if ctrl else ''}Keypad {key}",
+            f"View from {side}",
             getattr(psim, f"ImGuiKey_Keypad{key}"),
-            _always(c.ViewFrom(name)),
+            _always(c.ViewFrom(side)),
+            ctrl=ctrl,
         )
-        for key, name in ((1, "front"), (3, "right"), (7, "top"))
+        for key, *sides in ((1, "front", "back"), (3, "right", "left"), (7, "top", "bottom"))
+        for side, ctrl in zip(sides, (False, True), strict=True)
     ),
     Shortcut("K", "Keep what is grabbed, as a pin", psim.ImGuiKey_K, _always(c.SetKeep())),
     Shortcut("X", "Mirror what you paint and drag", psim.ImGuiKey_X, _always(c.ToggleSymmetry())),
