@@ -29,6 +29,7 @@ class Drag:
         self.key = key
         self.gesture = Gesture(work.document)
         self._done: tuple[object, ...] = ()
+        self._early = False  # the cursor has moved, and the solver is still binding
         self._start = start
         self._normal = press.camera.forward
         self.hold(work.document.pose.of(key))
@@ -43,7 +44,10 @@ class Drag:
         """Take the grabbed point to where the cursor's ray meets the plane. Raises SolverError."""
         work = self.work
         target = None if frame.ray is None else self._target(frame.ray)
-        if target is None or not work.surface.holds(self.key):
+        if target is None:
+            return
+        self._early = not work.surface.holds(self.key)
+        if self._early:
             return
         asked = (work.surface.bound, work.turn, *target)
         if asked == self._done:  # the cursor rests
@@ -54,6 +58,8 @@ class Drag:
 
     def finish(self) -> None:
         """Keep the drag as one entry of the history."""
+        if self._early:
+            self.work.say("The solver was still binding: drag once more")
         handle = self.work.document.find(self.key)
         assert handle is not None
         self.work.history.record(self.gesture.finish(f"Drag {handle.name}"))

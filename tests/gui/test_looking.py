@@ -43,6 +43,7 @@ def saved(person: Person, path: Path, widget: str) -> Path:
 
 def test_flat_shading_and_the_ghost_of_the_rest_shape(ready: Scene) -> None:
     scene = ready
+    scene.person.open_section("View", "smooth")
     assert changed(scene, "smooth") > 0.02
     assert changed(scene, "smooth") > 0.02
     assert changed(scene, "rest shape") < 0.005, "at rest it is hidden by the surface"
@@ -63,6 +64,7 @@ def test_pictures_and_films_are_saved_beside_the_mesh_and_replace_nothing(
     scene, person = ready, ready.person
     width, height = person.size()
     person.key("1")  # without the gizmo
+    person.open_section("View", "Picture")
     person.move(*PARKED)
     person.wait_still()
     shown = scene.view()[:-100].copy()

@@ -9,6 +9,7 @@ from app.editor.commands import (
     ActivateHandle,
     AddHandle,
     ResetPose,
+    SetPlacing,
     SetSetting,
     SetTurn,
     Undo,
@@ -155,3 +156,15 @@ def test_handles_without_vertices_are_no_obstacle(ready: Person) -> None:
     ready.stroke([19, 2, 0], [16, 8, 0])
     check_constraints(ready)
     assert (ready.editor.document.role == FIRST_HANDLE + 1).sum() == 0
+
+
+def test_a_drag_that_ends_before_the_bind_is_there_says_so() -> None:
+    person = Person(slab(20, 4, 2.0), worker=IdleWorker())
+    person.use("handle", 1.6)
+    person.stroke([20, 0, 0], [20, 4, 0])
+    person.use("drag")
+    person.do(SetPlacing(gizmo=False))
+    person.stroke([19, 2, 0], [16, 8, 0])
+    assert person.editor.document.pose.at_rest
+    assert person.editor.message is not None
+    assert "still binding" in person.editor.message.text
