@@ -15,8 +15,8 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.csgraph import connected_components, dijkstra
 
-from app.selection.regions import vertex_areas
 from solver.coarse.simplification import simplify
+from solver.geometry.cross_products import triangle_areas, vertex_areas
 from solver.geometry.topology import Topology
 from solver.geometry.welding import welded_surface
 from solver.types import BoolArray, FloatArray, IntArray
@@ -63,7 +63,7 @@ class Limbs:
         self._cell[used] = cell
         topology = Topology(F, len(V))
         self._edges = topology.edges
-        self._area = vertex_areas(V, F)
+        self._area = vertex_areas(triangle_areas(V, F), F, len(V))
         self._remoteness = _mean_distance(V, topology, self._area)
         self._body = int(self._remoteness.argmin())
 

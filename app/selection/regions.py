@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 
-from solver.geometry.cross_products import triangle_areas
 from solver.types import BoolArray, FloatArray, IntArray
 
 ROUNDS = 8  # of averaging, and so the width in edges on both sides of a border that is smoothed
@@ -41,11 +40,6 @@ def smoothed_region(graph: sp.csr_array, region: BoolArray, area: FloatArray) ->
     smooth = region.copy()
     smooth[order] = taken
     return smooth
-
-
-def vertex_areas(V: FloatArray, F: IntArray) -> FloatArray:
-    """(n,) a third of the area of the triangles around each vertex."""
-    return np.bincount(F.ravel(), np.repeat(triangle_areas(V, F), 3), len(V)) / 3.0
 
 
 def _band(graph: sp.csr_array, region: BoolArray) -> IntArray:

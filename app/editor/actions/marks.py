@@ -8,15 +8,16 @@ import numpy as np
 
 from app.editor import commands as c
 from app.editor.action import Actions, check_name
-from app.selection.regions import grown, shrunk, smoothed_region, vertex_areas
+from app.selection.regions import grown, shrunk, smoothed_region
 from app.tools.table import TOOLS
 from app.workspace.workspace import Workspace
+from solver.geometry.cross_products import triangle_areas, vertex_areas
 from solver.types import BoolArray
 
 
 def _smoothed(work: Workspace, marked: BoolArray) -> BoolArray:
     mesh = work.document.mesh
-    area = vertex_areas(mesh.vertices, mesh.faces)
+    area = vertex_areas(triangle_areas(mesh.vertices, mesh.faces), mesh.faces, len(mesh.vertices))
     return smoothed_region(work.neighbours.graph, marked, area)
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from app.pointing.brush import Neighbours
-from app.selection.regions import grown, shrunk, smoothed_region, vertex_areas
+from app.selection.regions import grown, shrunk, smoothed_region
+from solver.geometry.cross_products import triangle_areas, vertex_areas
 from solver.types import BoolArray
 from tests.app.person import sheet, slab
 
@@ -43,7 +44,7 @@ def test_a_region_grows_over_a_seam() -> None:
 
 
 def test_a_smooth_border_is_shorter_and_keeps_the_area() -> None:
-    area = vertex_areas(V, F)
+    area = vertex_areas(triangle_areas(V, F), F, len(V))
     ragged = disc(6.3)
     ragged ^= (np.abs(np.linalg.norm(V - [15, 10, 0], axis=1) - 6) < 1.3) & (V[:, 1] % 2 == 0)
     smooth = smoothed_region(GRAPH, ragged, area)
@@ -60,4 +61,6 @@ def test_what_has_no_border_has_nothing_to_smooth() -> None:
 
 def test_areas_of_vertices_add_up_to_that_of_the_surface() -> None:
     mesh = slab(6, 3, 2.0)
-    assert np.isclose(vertex_areas(mesh.vertices, mesh.faces).sum(), 2 * (18 + 12 + 6))
+    areas = triangle_areas(mesh.vertices, mesh.faces)
+    shares = vertex_areas(areas, mesh.faces, len(mesh.vertices))
+    assert np.isclose(shares.sum(), 2 * (18 + 12 + 6))
