@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
 from app.model.handles import FIXED
 from app.scene.overlay import HOVERED, Outline, Overlay
 from app.tools.drag import Drag
@@ -11,26 +9,11 @@ from app.tools.gizmo.begin import gizmo_cursor
 from app.tools.grab import Grab
 from app.tools.tool import brush_cursor
 from app.viewpoint.events import Input
-from app.workspace.interaction import Interaction
+from app.workspace.interaction import HeldPress, Interaction
 from app.workspace.nearby import near_handle
 from app.workspace.workspace import Workspace
 
 NEAR_HANDLE = 10.0  # pixels beside a handle that still count
-
-
-class Refused:
-    """Holds the mouse until it is released, so that a press that does nothing moves nothing."""
-
-    drags: ClassVar[bool] = False
-
-    def move(self, frame: Input) -> None:
-        """Nothing moves."""
-
-    def finish(self) -> None:
-        """Nothing is left to do."""
-
-    def cancel(self) -> None:
-        """Nothing has been done."""
 
 
 def begin_drag(work: Workspace, press: Input) -> Interaction | None:
@@ -45,7 +28,7 @@ def begin_drag(work: Workspace, press: Input) -> Interaction | None:
         return None
     if work.document.role[hit.vertex] == FIXED:
         work.say("This is fixed and stays where it is: grab beside it, or free it (2, with Shift)")
-        return Refused()
+        return HeldPress()
     return Grab(work, press, hit)
 
 

@@ -2,28 +2,11 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
 from app.pointing.picking import Hit
 from app.tools.tool import on_surface
 from app.viewpoint.events import Input
-from app.workspace.interaction import Interaction
+from app.workspace.interaction import HeldPress, Interaction
 from app.workspace.workspace import Workspace
-
-
-class Click:
-    """An Interaction that is over when it begins: until its button is up nothing else happens."""
-
-    drags: ClassVar[bool] = False
-
-    def move(self, frame: Input) -> None:
-        """Nothing follows the cursor."""
-
-    def finish(self) -> None:
-        """Nothing to keep."""
-
-    def cancel(self) -> None:
-        """Nothing to take back."""
 
 
 @on_surface
@@ -33,4 +16,4 @@ def begin_select(work: Workspace, press: Input, hit: Hit) -> Interaction | None:
     if handle is None or not press.ctrl:
         return None
     work.select(handle.key)
-    return Click()
+    return HeldPress()

@@ -30,3 +30,18 @@ class Interaction(Protocol):
 
     def cancel(self) -> None:
         """Restore what was before."""
+
+
+class HeldPress:
+    """An Interaction that holds the mouse until its button is up: what the press did is done."""
+
+    drags: ClassVar[bool] = False
+
+    def move(self, frame: Input) -> None:
+        """Nothing follows the cursor."""
+
+    def finish(self) -> None:
+        """Nothing is left to do."""
+
+    def cancel(self) -> None:
+        """Nothing to take back."""
