@@ -28,6 +28,11 @@ def check_between(count: int) -> int:
     return count
 
 
+def given(command: Command) -> dict[str, Any]:
+    """The fields of a command that are not None: what it asks to change, by name."""
+    return {name: value for name, value in vars(command).items() if value is not None}
+
+
 def find_handle(work: Workspace, key: int) -> Handle:
     """The handle with this key. Raises CommandError."""
     handle = work.document.find(key)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from app.editor import commands as c
-from app.editor.action import Actions, check_name
+from app.editor.action import Actions, check_name, given
 from app.model.settings import is_number
 from app.tools.marking_shapes import SHAPES
 from app.tools.softness_strokes import SOFTNESS_MODES
@@ -29,7 +29,7 @@ def set_tool(work: Workspace, command: c.SetTool) -> None:
 
 def set_brush(work: Workspace, command: c.SetBrush) -> None:
     """Numbers out of range are taken to the nearest that fits, as a slider would."""
-    changes = {name: value for name, value in vars(command).items() if value is not None}
+    changes = given(command)
     if command.mode is not None:
         check_name(command.mode, SOFTNESS_MODES, "brush mode")
     for name, value in changes.items():
@@ -56,7 +56,7 @@ def _measure_brushes(work: Workspace, on_screen: bool) -> None:
 
 
 def set_marking(work: Workspace, command: c.SetMarking) -> None:
-    changes = {name: value for name, value in vars(command).items() if value is not None}
+    changes = given(command)
     if command.shape is not None:
         check_name(command.shape, SHAPES, "shape")
     work.marking = replace(work.marking, **changes)

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.editor import commands as c
-from app.editor.action import Actions, check_name
+from app.editor.action import Actions, check_name, given
 from app.model.settings import is_number
 from app.tools.gizmo.begin import begin_operator
 from app.tools.gizmo.pick import PickPivot
@@ -39,8 +39,7 @@ def set_placing(work: Workspace, command: c.SetPlacing) -> None:
         check_name(command.axes, AXES, "axes")
     if command.pivot is not None:
         check_name(command.pivot, PIVOTS, "pivot")
-    changes = {name: value for name, value in vars(command).items() if value is not None}
-    work.placing = replace(work.placing, **changes)
+    work.placing = replace(work.placing, **given(command))
 
 
 def set_position(work: Workspace, command: c.SetPosition) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from app.editor import commands as c
-from app.editor.action import Actions, check_between, find_handle
+from app.editor.action import Actions, check_between, find_handle, given
 from app.model.document import Document
 from app.model.handles import Pose
 from app.model.poses import REST, REST_NAME, KeptPose, blended_pose
@@ -80,7 +80,7 @@ def blend_poses(work: Workspace, command: c.BlendPoses) -> None:
 
 
 def choose_blend(work: Workspace, command: c.ChooseBlend) -> None:
-    changes = {name: value for name, value in vars(command).items() if value is not None}
+    changes = given(command)
     for name in {"start", "end"} & changes.keys():
         _pose(work, changes[name])
     if "between" in changes:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.editor import commands as c
-from app.editor.action import Actions, check_name
+from app.editor.action import Actions, check_name, given
 from app.viewpoint.viewpoint import SIDES, UPS
 from app.workspace.workspace import Workspace
 from solver.types import IntArray
@@ -43,8 +43,7 @@ def set_up(work: Workspace, command: c.SetUp) -> None:
 
 
 def set_looks(work: Workspace, command: c.SetLooks) -> None:
-    changes = {name: on for name, on in vars(command).items() if on is not None}
-    work.looks = replace(work.looks, **changes)
+    work.looks = replace(work.looks, **given(command))
 
 
 def _selected(work: Workspace) -> IntArray:
