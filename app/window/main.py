@@ -164,7 +164,7 @@ class Window:
     def _answered(self) -> list[c.Command]:
         """What the dialog that was open asks for, once it was answered."""
         with self._telling():
-            command = self._dialogs.poll()
+            command = self._dialogs.poll(self._editor)
             return [command] if command is not None else []
         return []
 

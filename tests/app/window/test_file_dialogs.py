@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -54,11 +55,11 @@ def test_opening_asks_for_meshes_and_sessions_beside_the_mesh(
     assert not question.saves
     assert question.path == tmp_path
     assert set(question.kinds[0].suffixes) == {*FORMATS, ".json"}
-    assert files.poll() is None, "cancelled: nothing happens"
+    assert files.poll(person.editor) is None, "cancelled: nothing happens"
     clerk.path = tmp_path / "a.json"
-    assert files.poll() == c.OpenSession(tmp_path / "a.json")
+    assert files.poll(person.editor) == c.OpenSession(tmp_path / "a.json")
     clerk.path = tmp_path / "a.glb"
-    assert files.poll() == c.OpenMesh(tmp_path / "a.glb")
+    assert files.poll(person.editor) == c.OpenMesh(tmp_path / "a.glb")
 
 
 def test_a_session_is_saved_where_it_is_known_else_it_asks(
@@ -68,7 +69,7 @@ def test_a_session_is_saved_where_it_is_known_else_it_asks(
     assert files.act("save", editor) is None
     assert clerk.asked[0].path == tmp_path / "m.json"
     clerk.path = tmp_path / "mine.json"
-    command = files.poll()
+    command = files.poll(editor)
     assert command == c.SaveSession(tmp_path / "mine.json")
     editor.document.mesh.save(tmp_path / "m.ply", editor.positions)
     person.do(command)
@@ -86,9 +87,10 @@ def test_an_export_goes_where_the_last_one_went_until_another_document_is_open(
     assert files.act("export", person.editor) is None
     assert clerk.asked[0].path == tmp_path / "m-deformed.obj"
     clerk.path = tmp_path / "out.obj"
-    assert files.poll() == c.Export(tmp_path / "out.obj")
+    assert files.poll(person.editor) == c.Export(tmp_path / "out.obj")
     assert files.act("export", person.editor) == c.Export(tmp_path / "out.obj")
     assert files.act("export as", person.editor) is None
+    assert files.act("export poses", person.editor) == c.ExportPoses(tmp_path / "out.obj", 0)
     files.forget()
     assert files.act("export", person.editor) is None
     person.editor.export_path = tmp_path / "told.obj"
@@ -101,11 +103,54 @@ def test_a_suffix_is_added_but_never_over_a_file_that_nobody_was_asked_about(
     files = FileDialogs(clerk)
     files.act("save as", person.editor)
     clerk.path = tmp_path / "name"
-    assert files.poll() == c.SaveSession(tmp_path / "name.json")
+    assert files.poll(person.editor) == c.SaveSession(tmp_path / "name.json")
     (tmp_path / "name.json").touch()
     with pytest.raises(
         c.CommandError, match=r"name\.json is there already; choose it by its whole"
     ):
-        files.poll()
+        files.poll(person.editor)
     clerk.path = tmp_path / "name.json"  # the dialog has asked
-    assert files.poll() == c.SaveSession(tmp_path / "name.json")
+    assert files.poll(person.editor) == c.SaveSession(tmp_path / "name.json")
+    clerk.path = tmp_path / "name.v2"  # which could not be told from a mesh
+    assert files.poll(person.editor) == c.SaveSession(tmp_path / "name.v2.json")
+
+
+def test_an_export_of_poses_asks_as_an_export_does_and_has_the_shapes_between(
+    clerk: Clerk, person: Person, tmp_path: Path
+) -> None:
+    files = FileDialogs(clerk)
+    person.do(c.ChooseBlend(between=3))
+    assert files.act("export poses", person.editor) is None
+    assert clerk.asked[0].saves
+    assert clerk.asked[0].path == tmp_path / "m-deformed.obj"
+    clerk.path = tmp_path / "film.glb"
+    assert files.poll(person.editor) == c.ExportPoses(tmp_path / "film.glb", 3)
+    assert files.act("export", person.editor) == c.Export(tmp_path / "film.glb")
+
+
+def test_the_mesh_that_is_open_is_refused_once_and_asked_about_again(
+    clerk: Clerk, person: Person, tmp_path: Path
+) -> None:
+    files = FileDialogs(clerk)
+    files.act("export", person.editor)
+    clerk.path = tmp_path / "m.ply"
+    with pytest.raises(c.CommandError, match="the mesh that is open"):
+        files.poll(person.editor)
+    assert files.act("export", person.editor) is None
+
+
+def test_a_dialog_ends_with_the_document_that_it_is_about(person: Person) -> None:
+    """Else its answer, given for one document, would write another over the file."""
+    shown: list[str] = []
+
+    def program(question: Question) -> list[str]:
+        shown.append(question.purpose)
+        return [sys.executable, "-c", "input()"]
+
+    files = FileDialogs(Dialogs(program))
+    for purpose in ("save", "export"):
+        files.act(purpose, person.editor)
+        files.forget()
+        assert files.poll(person.editor) is None
+    files.close()
+    assert shown == ["save", "export"]
