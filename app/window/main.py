@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import sys
 import time
 import traceback
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from app.editor.editor import Editor
 from app.editor.file_actions import load_document, open_command
 from app.editor.unsaved import keep_unsaved
 from app.model.preferences import PreferencesFile, preferences_path
+from app.signals import told_to_end
 from app.viewpoint.camera import Camera
 from app.window.file_dialogs import FileDialogs
 from app.window.messages import Messages, overlay
@@ -72,11 +74,12 @@ def _run(worker: Worker, mesh: Path | None, session: Path | None, export: Path |
 
 def _loop(window: Window) -> None:
     """Sixty frames a second and no more: Polyscope's own limit burns the time in between."""
-    while not ps.window_requests_close():
-        start = time.perf_counter()
-        ps.frame_tick()
-        window.work()
-        time.sleep(max(FRAME_SECONDS - (time.perf_counter() - start), 0.0))
+    with told_to_end() as told:
+        while not (told or ps.window_requests_close()):
+            start = time.perf_counter()
+            ps.frame_tick()
+            window.work()
+            time.sleep(max(FRAME_SECONDS - (time.perf_counter() - start), 0.0))
 
 
 class Window:
@@ -133,11 +136,14 @@ class Window:
 
     def close(self) -> None:
         """Keep what was not saved, and end what was begun."""
-        self._editor.close()
-        keep_unsaved(self._editor)
-        self._dialogs.close()
-        self._studio.close()
-        self._remembered.keep_window()
+        with ExitStack() as ends:  # all of them, whatever becomes of one
+            for part in (self._studio, self._dialogs, self._editor):
+                ends.callback(part.close)
+            ends.callback(self._remembered.keep_window)
+            try:
+                keep_unsaved(self._editor)
+            except SolverError as error:
+                print(error, file=sys.stderr)
 
     def _frame(self) -> None:
         editor, view = self._editor, self._view
@@ -180,13 +186,16 @@ class Window:
             self._execute(command)
 
     def _execute(self, command: c.Command) -> None:
-        if isinstance(command, c.OpenMesh | c.OpenSession):
-            keep_unsaved(self._editor)
+        """Raises FileError where that would lose unsaved work."""
+        opens = isinstance(command, c.OpenMesh | c.OpenSession)
+        kept = keep_unsaved(self._editor) if opens else None
         self._editor.execute(command)
         if self._document != self._editor.document.serial:
             self._document = self._editor.document.serial
             self._panel.file_rows.forget()
             self._dialogs.forget()
+            if kept is not None:
+                self._editor.say(f"Unsaved work is kept in {kept}")
 
     def _act(self, name: str) -> None:
         """Raises SolverError."""

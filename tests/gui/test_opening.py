@@ -10,10 +10,8 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import pytest
 
-from app.editor.commands import AddHandle
-from app.editor.unsaved import keep_unsaved
-from tests.app.person import Person as Hand
 from tests.app.person import slab
 
 from .conftest import Opener
@@ -65,6 +63,19 @@ def test_unsaved_work_is_kept_on_closing(plate: Scene, tmp_path: Path) -> None:
     assert "plate-unsaved.json" in person.output()
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows ends programs otherwise")
+def test_unsaved_work_is_kept_when_the_system_ends_the_program(
+    plate: Scene, tmp_path: Path
+) -> None:
+    person = plate.person
+    person.key("2")
+    plate.stroke((4, 4, 0), (6, 4, 0))
+    person.wait_still()
+    person.process.terminate()
+    assert person.process.wait(20) == 0
+    assert json.loads((tmp_path / "plate-unsaved.json").read_text())["fixed"]
+
+
 def test_preferences_that_cannot_be_read_are_in_nobodys_way(
     open_window: Opener, tmp_path: Path
 ) -> None:
@@ -99,14 +110,3 @@ def test_a_wrong_file_on_the_command_line_ends_the_window(
     )
     assert (done.returncode, done.stdout) == (2, "")
     assert re.fullmatch(r"python -m app: m.obj, line 4: [^\n]*vertex 4[^\n]*\n", done.stderr)
-
-
-def test_work_kept_before_is_never_replaced(tmp_path: Path) -> None:
-    hand = Hand(slab(8, 4, 2.0), tmp_path / "slab.obj")
-    try:
-        for count in (1, 2, 3):
-            hand.do(AddHandle(f"handle {count}"))
-            keep_unsaved(hand.editor)
-            assert len(list(tmp_path.glob("slab-unsaved*.json"))) == count
-    finally:
-        hand.editor.close()
