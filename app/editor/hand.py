@@ -34,7 +34,9 @@ class Hand:
             return
         if frame.pressed:
             work.finish()  # a release that nobody saw
+            before = work.moment
             self._begin(frame)
+            work.before_press = before
         elif work.interaction is not None and (frame.down or frame.released):
             work.interaction.move(frame)
         if work.interaction is None and frame.released:

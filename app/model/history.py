@@ -69,13 +69,15 @@ class History:
         else:  # a slider that came back to where it started leaves nothing to undo
             self.seal()
 
-    def retract(self, document: Document, since: Entry | None) -> None:
+    def retract(self, document: Document, since: Entry | None) -> bool:
         """Take the last entry back for good, if it is the only one made after `since`."""
         before = self.done[-2] if len(self.done) > 1 else None
-        if self.top is not since and before is since:
+        only = self.top is not since and before is since
+        if only:
             for edit in reversed(self.done.pop().edits):
                 document.revert(edit)
             self.seal()
+        return only
 
     def seal(self) -> None:
         """The next entry merges with none before it."""

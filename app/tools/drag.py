@@ -10,6 +10,7 @@ from app.model.history import Gesture
 from app.viewpoint.camera import Ray
 from app.viewpoint.events import Input
 from app.workspace.workspace import Workspace
+from solver.geometry.motions import moved_back
 from solver.types import FloatArray
 
 GRAZING = 1e-6  # cosine below which a ray counts as parallel to the plane
@@ -36,9 +37,7 @@ class Drag:
 
     def hold(self, T: FloatArray) -> None:
         """Hold the handle at the grabbed point from where it is at T, (4, 4)."""
-        A, t = T[:3, :3], T[:3, 3]
-        # A session file may hold any affine transform, even one that flattens.
-        self._grabbed = np.linalg.pinv(A) @ (self._start - t)
+        self._grabbed = moved_back(T, self._start)
 
     def move(self, frame: Input) -> None:
         """Take the grabbed point to where the cursor's ray meets the plane. Raises SolverError."""
@@ -58,11 +57,15 @@ class Drag:
 
     def finish(self) -> None:
         """Keep the drag as one entry of the history."""
-        if self._early:
-            self.work.say("The solver was still binding: drag once more")
+        self.tell_early()
         handle = self.work.document.find(self.key)
         assert handle is not None
         self.work.history.record(self.gesture.finish(f"Drag {handle.name}"))
+
+    def tell_early(self) -> None:
+        """Say why nothing moved, where the drag was over before the bind."""
+        if self._early:
+            self.work.say("The solver was still binding: drag once more")
 
     def cancel(self) -> None:
         """Put the handle back."""

@@ -8,7 +8,6 @@ from __future__ import annotations
 import numpy as np
 
 from app.model.handles import FREE, GRAB
-from app.model.history import Gesture
 from app.pointing.picking import Hit
 from app.tools.drag import Drag
 from app.viewpoint.events import Input
@@ -44,6 +43,7 @@ class Grab(Drag):
 
     def finish(self) -> None:
         """Let go, or leave a pin: after a click, and where grabs are kept."""
+        self.tell_early()
         clicked = not self.gesture.started
         transform = None if clicked else self.work.document.pose.of(GRAB)
         self.gesture.cancel()
@@ -74,17 +74,15 @@ def put_pin(work: Workspace, vertices: IntArray, transform: FloatArray | None) -
     """Vertices (k,) become a pin, at a transform (4, 4) or where they are on screen."""
     document = work.document
     handle = document.new_handle(pin=True)
-    gesture = Gesture(document)
-    gesture.change("handles", (*document.handles, handle))
-    gesture.change("role", handle.key, vertices)
-    placed = _fit(work, vertices) if transform is None else transform
-    if not np.array_equal(placed, np.eye(4)):
-        gesture.change("pose", document.pose.moved(handle.key, placed))
-    work.history.record(gesture.finish(f"Put {handle.name}"))
+    with work.edit(f"Put {handle.name}") as gesture:
+        gesture.change("handles", (*document.handles, handle))
+        gesture.change("role", handle.key, vertices)
+        placed = _fit(work, vertices) if transform is None else transform
+        if not np.array_equal(placed, np.eye(4)):
+            gesture.change("pose", document.pose.moved(handle.key, placed))
     work.activate(handle.key)
 
 
 def _fit(work: Workspace, vertices: IntArray) -> FloatArray:
     """(4, 4) the rigid motion that best takes vertices from rest to where they are on screen."""
-    rest, shown = work.document.rest_positions[vertices], work.positions[vertices]
-    return np.eye(4) if np.array_equal(rest, shown) else rigid_motion(rest, shown)
+    return rigid_motion(work.document.rest_positions[vertices], work.positions[vertices])

@@ -43,8 +43,7 @@ def begin_marking(marks: Marks) -> Begin:
     def begin(work: Workspace, press: Input) -> Interaction | None:
         again = press.clicks % 2 == 0 and work.under(press) is not None
         if again:
-            work.history.retract(work.document, work.before_click)
-        work.before_click = work.history.top
+            work.take_back(work.before_press)
         return (begin_part if again else SHAPES[work.marking.shape].begin)(work, press, marks)
 
     return begin

@@ -67,8 +67,8 @@ class HandlePaint(RolePaint):
             return
         document = self._work.document
         vertices = document.vertices_of(self._handle.key)
-        rest, shown = document.rest_positions[vertices], self._work.positions[vertices]
-        transform = np.eye(4) if np.array_equal(rest, shown) else rigid_motion(rest, shown)
+        shown = self._work.positions[vertices]
+        transform = rigid_motion(document.rest_positions[vertices], shown)
         pose = document.pose.moved(self._handle.key, transform)
         if pose != document.pose:
             gesture.change("pose", pose)

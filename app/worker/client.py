@@ -8,7 +8,6 @@ from typing import Protocol
 
 from app.worker.process import ProcessDied, SolverProcess
 from app.worker.requests import (
-    Answer,
     BindRequest,
     Bound,
     Failure,
@@ -154,8 +153,8 @@ class ProcessWorker:
             return
         try:
             answer = self._process.receive()
-            if answer is not None:
-                self._finish(answer)
+            if answer is not None and self._running is not None:
+                self._finish(result_of(self._running.request, answer))
             self._replace_slow()
             if self._running is None:
                 self._begin()
@@ -166,7 +165,10 @@ class ProcessWorker:
         job = self._next()
         if job is not None:
             self._running = job
-            self._process.send(job.request)
+            try:
+                self._process.send(job.request)
+            except OSError as error:  # no memory, no process: it never began
+                self._finish(Failure(job.request, WorkerError(f"the solver cannot work: {error}")))
 
     def _next(self) -> _Job | None:
         """Binds first. A refinement that the process cannot do needs the bind in use once more."""
@@ -182,11 +184,9 @@ class ProcessWorker:
         del self._waiting[RefineRequest]
         return job if self._known == wanted else None  # None: its bind is no longer in use
 
-    def _finish(self, answer: Answer) -> None:
+    def _finish(self, result: Result) -> None:
         job, self._running = self._running, None
-        if job is None:
-            return
-        result = result_of(job.request, answer)
+        assert job is not None
         if isinstance(job.request, BindRequest):  # one that fails leaves none to be refined
             self._known = job.request.version if isinstance(result, Bound) else None
         if job.wanted:

@@ -1,10 +1,11 @@
-"""What a person is in the middle of, and what is said to them."""
+"""What a person is in the middle of, what was before it, and what is said to them."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import ClassVar, Literal, Protocol
 
+from app.model.history import Entry
 from app.viewpoint.events import Input
 
 
@@ -15,6 +16,15 @@ class Message:
     text: str
     kind: Literal["info", "error"]
     number: int
+
+
+@dataclass(frozen=True)
+class Moment:
+    """top: the last entry of the history.  active, selected: the keys of handles."""
+
+    top: Entry | None
+    active: int | None
+    selected: frozenset[int]
 
 
 class Interaction(Protocol):

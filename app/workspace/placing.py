@@ -26,17 +26,17 @@ class Placing:
     gizmo: whether it shows.  axes: one of AXES, local ones turn with the active handle.
     pivot: one of PIVOTS; the joint is where a handle borders on what is free; free: about the
         centre, and then to where the surface takes it.
-    points: by a handle's key the point picked for it, (3,) at rest.
+    points: the point picked for a handle, (3,) at rest, by its key and the rest shape's number.
     """
 
     gizmo: bool = True
     axes: str = "world"
     pivot: str = "centre"
-    points: Mapping[int, FloatArray] = field(default_factory=dict)
+    points: Mapping[tuple[int, int], FloatArray] = field(default_factory=dict)
 
 
 class Pivots:
-    """Finds the pivot of handles; what that takes at rest is found again where roles change."""
+    """Finds the pivot of handles; what that takes at rest is found again where that differs."""
 
     def __init__(self, edges: IntArray) -> None:
         """edges: (e, 2) of the mesh."""
@@ -49,11 +49,11 @@ class Pivots:
         Where the active one has no picked point, or none of them a joint, it is the centre.
         None where they have no vertices.
         """
-        point = placing.points.get(keys[0]) if keys and placing.pivot == "point" else None
-        if point is not None:
-            return moved(document.pose.of(keys[0]), point)
+        rest = document.surface_number
+        if keys and placing.pivot == "point" and (keys[0], rest) in placing.points:
+            return moved(document.pose.of(keys[0]), placing.points[keys[0], rest])
         joint = placing.pivot == "joint"
-        version = document.revision["role"], tuple(keys), joint
+        version = rest, document.revision["role"], tuple(keys), joint
         anchors = self._anchors(version, lambda: self._found(document, keys, joint))
         if not anchors:
             return None

@@ -15,7 +15,7 @@ from app.latest import Latest
 from app.live.live_surface import LiveSurface
 from app.model.document import Document, clock
 from app.model.handles import Handle, Pose
-from app.model.history import Entry, Gesture, History
+from app.model.history import Gesture, History
 from app.pointing.brush import Brush, Neighbours
 from app.pointing.picking import Hit, Picker
 from app.scene.looks import PLAIN, Looks
@@ -27,7 +27,7 @@ from app.viewpoint.viewpoint import Viewpoint
 from app.worker.client import Worker
 from app.workspace.blend import Blend
 from app.workspace.heat import Heat
-from app.workspace.interaction import Interaction, Message
+from app.workspace.interaction import Interaction, Message, Moment
 from app.workspace.marking import Marking
 from app.workspace.parts import Parts
 from app.workspace.placing import Pivots, Placing
@@ -52,7 +52,7 @@ class Workspace:
     progress: what is told how far reading and saving are.  viewpoint: where the person looks from.
     last_input: of the frame before.  export_path: where Export goes by default.  session_path: the
     session file last opened or saved.  written: the files that exports gave a name.
-    before_click: the last entry of the history when a press began to mark.
+    before_press: what there was before the mouse was pressed last.
     """
 
     def __init__(
@@ -102,10 +102,10 @@ class Workspace:
         self._under: Latest[Hit | None] = Latest()
         self._centres: Latest[dict[int, FloatArray]] = Latest()
         self._limbs: dict[int, Limbs] = {}
-        self.before_click: Entry | None = None
         self.last_input: Input | None = None
         self._active = document.handles[0].key if document.handles else None
         self._selected: frozenset[int] = frozenset()
+        self.before_press = self.moment
         self._diagonal = document.diagonal  # found now, not at the first stroke
         self.viewpoint.show(document.rest_positions[mesh.pieces >= 0])
 
@@ -138,6 +138,16 @@ class Workspace:
         interaction, self.interaction = self.interaction, None
         if interaction is not None:
             interaction.cancel()
+
+    @property
+    def moment(self) -> Moment:
+        """What a second click comes back to."""
+        return Moment(self.history.top, self._active, self._selected)
+
+    def take_back(self, since: Moment) -> None:
+        """Take the last entry back for good, if it is the only one made since."""
+        if self.history.retract(self.document, since.top):
+            self._active, self._selected = since.active, since.selected
 
     @property
     def dragging(self) -> bool:

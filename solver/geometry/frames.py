@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from solver.geometry.cross_products import cross
 from solver.types import BoolArray, FloatArray
 
 # Below this share of its scaled edges' square a triangle has no area.
@@ -52,19 +53,14 @@ def _scaled_frames(P: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     size = np.maximum(np.abs(edge), np.abs(other)).max(axis=0)
     scale = np.where(size > 0, size, 1)
     edge, other = edge / scale, other / scale
-    first, normal = unit(edge.T).T, _cross(edge, other)
+    first, normal = unit(edge.T).T, cross(edge, other)
     double = np.sqrt((normal * normal).sum(axis=0))
     flat = double <= _FLAT
     normal /= np.where(flat, 1.0, double)
     lines = first[:, flat].T
     normal[:, flat] = unit(np.cross(lines, np.eye(3)[np.abs(lines).argmin(axis=1)])).T
-    axes = np.stack([first, _cross(normal, first), normal])
+    axes = np.stack([first, cross(normal, first), normal])
     return axes.transpose(2, 1, 0), size, double
-
-
-def _cross(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Of vectors in columns, (3, k)."""
-    return np.stack([a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)])
 
 
 def unit(vectors: FloatArray) -> FloatArray:

@@ -58,3 +58,8 @@ def rotation_about(axis: ArrayLike, degrees: float, centre: ArrayLike = ORIGIN) 
 def moved(T: FloatArray, points: FloatArray) -> FloatArray:
     """Points (k, 3) where the affine map T (4, 4) takes them."""
     return np.asarray(points @ T[:3, :3].T + T[:3, 3])
+
+
+def moved_back(T: FloatArray, points: FloatArray) -> FloatArray:
+    """Points (..., 3) that the affine map T (4, 4) takes there; the least where T flattens."""
+    return np.asarray((points - T[:3, 3]) @ np.linalg.pinv(T[:3, :3]).T)

@@ -6,6 +6,8 @@ import numpy as np
 
 from solver.types import FloatArray
 
+UNDECIDED = 1e-13  # of the size of M: a touch of identity decides what M does not
+
 
 def procrustes(M: FloatArray) -> FloatArray:
     """R, (3, 3): argmax over rotations of tr(R M). [Kabsch 1976]"""
@@ -16,8 +18,13 @@ def procrustes(M: FloatArray) -> FloatArray:
 
 
 def rigid_motion(rest: FloatArray, moved: FloatArray) -> FloatArray:
-    """argmin over rigid T, (4, 4), of sum ||T rest - moved||^2, for points (k, 3) each."""
+    """argmin over rigid T, (4, 4), of sum ||T rest - moved||^2, for points (k, 3) each.
+
+    The identity to the last bit where nothing has moved.
+    """
     transform = np.eye(4)
+    if np.array_equal(rest, moved):
+        return transform
     transform[:3, :3] = R = rigid_fit(rest, moved)
     transform[:3, 3] = moved.mean(axis=0) - R @ rest.mean(axis=0)
     return transform
@@ -30,5 +37,9 @@ def rigid_fit(rest: FloatArray, target: FloatArray) -> FloatArray:
     """
     p, q = rest - rest.mean(axis=0), target - target.mean(axis=0)
     M = p.T @ q
-    # A touch of identity decides what the points do not.
-    return procrustes(M + 1e-13 * (float(np.linalg.norm(M)) or 1.0) * np.eye(3))
+    return decided(M)
+
+
+def decided(M: FloatArray) -> FloatArray:
+    """The same as `procrustes`; of rotations that M leaves open, the one that turns least."""
+    return procrustes(M + UNDECIDED * (float(np.linalg.norm(M)) or 1.0) * np.eye(3))

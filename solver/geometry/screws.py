@@ -7,11 +7,8 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from solver.geometry.motions import ORIGIN, motion
-from solver.geometry.procrustes import procrustes
+from solver.geometry.procrustes import decided
 from solver.types import FloatArray
-
-# Of the size of a map: decides the rotation of one that flattens, where the map leaves it open.
-UNDECIDED = 1e-13
 
 
 def screw(D: FloatArray, share: float) -> FloatArray:
@@ -49,7 +46,7 @@ def blended(A: FloatArray, B: FloatArray, share: float, centre: ArrayLike = ORIG
 def _polar(T: FloatArray, centre: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Rigid M and stretch S about `centre`, (4, 4) each, with T = M S."""
     A = T[:3, :3]
-    R = procrustes(A.T + UNDECIDED * (float(np.linalg.norm(A)) or 1.0) * np.eye(3))
+    R = decided(A.T)
     there = A @ centre + T[:3, 3]
     return motion(R, there - centre, centre), motion(R.T @ A, centre=centre)
 

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import numpy as np
-
 from app.pointing.picking import Hit
 from app.scene.overlay import NOTHING, Label, Overlay
 from app.viewpoint.events import Input
 from app.workspace.operator import Operator
 from app.workspace.workspace import Workspace
+from solver.geometry.motions import moved_back
 
 
 class PickPivot(Operator):
@@ -29,11 +28,9 @@ class PickPivot(Operator):
         work, hit = self._work, self._hit
         if hit is None or work.active is None:
             return
-        key = work.active.key
-        # A session file may hold any affine transform, even one that flattens.
-        T = work.document.pose.of(key)
-        point = np.linalg.pinv(T[:3, :3]) @ (hit.position - T[:3, 3])
-        points = {**work.placing.points, key: point}
+        key, rest = work.active.key, work.document.surface_number
+        point = moved_back(work.document.pose.of(key), hit.position)
+        points = {**work.placing.points, (key, rest): point}
         work.placing = replace(work.placing, pivot="point", points=points)
 
     def cancel(self) -> None:

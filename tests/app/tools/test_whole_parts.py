@@ -123,3 +123,33 @@ def test_a_double_click_beside_the_surface_is_left_to_the_camera(person: Person)
     assert (person.editor.document.role == FREE).all()
     person.do(c.ShowPart(7, True))
     assert "no piece 7" in error_of(person)
+
+
+def test_a_press_that_marked_nothing_is_no_first_click(person: Person) -> None:
+    """What was made before it stays."""
+    for place in PLACES[:2]:
+        person.stroke(place)
+    before = person.editor.document.role.copy()
+    person.frame(PLACES[2], "pd", alt=True)
+    person.frame(PLACES[2], "r", alt=True)
+    person.frame(PLACES[2], "pd", clicks=2)
+    person.frame(PLACES[2], "r", clicks=2)
+    kept = before == FIXED
+    assert (person.editor.document.role[kept] == FIXED).all()
+    assert len(person.editor.history.done) == 3
+
+
+def test_two_clicks_beside_a_pin_make_one_handle_of_the_part(person: Person) -> None:
+    """The first click made a handle, which is taken back: the part is not another's."""
+    person.use("handle", 0.6)
+    person.stroke(PLACES[0])
+    pin = person.editor.document.new_handle(pin=True)
+    person.editor.document.change("handles", (*person.editor.document.handles, pin))
+    person.editor.document.change("role", pin.key, np.array([20]))
+    person.editor.activate(pin.key)
+    first = person.editor.document.handles[0].key
+    count = (person.editor.document.role == first).sum()
+    person.click(PLACES[2], 2)
+    assert (person.editor.document.role == first).sum() == count
+    assert taken(person, person.editor.document.handles[-1].key) == [2]
+    assert len(person.editor.document.handles) == 3

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from unittest.mock import Mock
+
 import numpy as np
 import pytest
 
 from app.worker.client import ProcessWorker
+from app.worker.process import SolverProcess
 from app.worker.requests import (
+    Bound,
     Failure,
     Refined,
     WorkerError,
@@ -79,3 +83,21 @@ def test_a_refinement_needs_its_bind() -> None:
     assert isinstance(bench.answer(refinement(request)).value, WorkerError)
     bench.answer(request)
     assert not isinstance(bench.answer(refinement(request)).value, WorkerError)
+
+
+@pytest.mark.parametrize("wrong", [OSError(12, "no memory"), OSError(11, "no process")])
+def test_a_request_that_could_not_be_handed_over_fails_and_the_next_is_done(
+    solver_process: ProcessWorker, wrong: OSError, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    request = bind_request(document())
+    with monkeypatch.context() as broken:
+        broken.setattr(SolverProcess, "send", Mock(side_effect=wrong))
+        solver_process.request(request)
+        (failure,) = results(solver_process)
+    assert isinstance(failure, Failure)
+    assert failure.request is request
+    assert isinstance(failure.error, WorkerError)
+    assert str(wrong.strerror) in str(failure.error)
+    solver_process.request(request)
+    (bound,) = results(solver_process)
+    assert isinstance(bound, Bound)
