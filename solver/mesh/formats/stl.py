@@ -6,6 +6,7 @@ import numpy as np
 
 from solver.errors import MeshError
 from solver.mesh.formats.format import DeformedSurface, FileContent
+from solver.mesh.formats.narrowing import narrowed
 from solver.mesh.formats.text.file import TextFile, check_text
 from solver.mesh.formats.text.lines import Lines
 from solver.mesh.formats.text.points import finite_points
@@ -31,13 +32,13 @@ def read_stl(data: bytes, name: str, progress: Progress = silent) -> FileContent
 
 
 def write_stl(surface: DeformedSurface) -> bytes:
-    """Binary STL of the triangles. The format rounds to float32."""
+    """Binary STL of the triangles. The format rounds to float32; MeshError for what is beyond."""
     corners = surface.positions[surface.triangles]
+    records = np.zeros(len(corners), dtype=_RECORD)
+    records["corners"] = narrowed(corners, "<f4")
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normal, axis=1, keepdims=True)
-    records = np.zeros(len(corners), dtype=_RECORD)
     records["normal"] = normal / np.where(length > 0, length, 1)
-    records["corners"] = corners
     return bytes(80) + np.uint32(len(corners)).tobytes() + records.tobytes()
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.errors import MeshError
+from solver.mesh.formats.narrowing import narrowed
 from solver.mesh.formats.ply.body import Body, Lists
 from solver.mesh.formats.ply.header import Element, Header
 from solver.mesh.progress import Progress
@@ -56,7 +57,7 @@ class BinaryBody(Body):
         for column, k in enumerate(map(element.position, names)):
             kind = np.dtype(element.properties[k].type)
             rows = changed[:, column]
-            stored = values[rows, column].astype(kind.newbyteorder(self._endian))
+            stored = narrowed(values[rows, column], kind.newbyteorder(self._endian))
             at = layout.starts[rows, k][:, None] + np.arange(kind.itemsize)
             result[at] = stored.view(np.uint8).reshape(-1, kind.itemsize)
         return result.tobytes()

@@ -8,8 +8,11 @@ import igl
 import numpy as np
 import pytest
 
+from solver.errors import MeshError
 from solver.mesh.mesh import Mesh, load_mesh
 from tests.solver.mesh.formats.files import load, surface
+
+END = b"end_header\n"
 
 
 @pytest.mark.parametrize("suffix", [".off", ".ply", ".obj", ".OFF", ".Ply"])
@@ -43,3 +46,20 @@ def test_libigl_reads_what_is_written(tmp_path: Path, suffix: str) -> None:
     Mesh.from_arrays(V, F).save(tmp_path / f"a{suffix}", V)
     W, G = igl.read_triangle_mesh(str(tmp_path / f"a{suffix}"))
     np.testing.assert_allclose(W[G], V[F], rtol=1e-6, atol=1e-6)
+
+
+@pytest.mark.parametrize("suffix", [".stl", ".ply", ".glb"])
+def test_what_a_file_cannot_hold_is_refused_and_the_file_stays(tmp_path: Path, suffix: str) -> None:
+    """A finite coordinate that became infinite could not be read again."""
+    V, F = surface()
+    Mesh.from_arrays(V, F).save(tmp_path / f"a{suffix}", V)
+    path = tmp_path / f"a{suffix}"
+    if suffix == ".ply":  # ours is in float64
+        head, whole = path.read_bytes().replace(b"property double", b"property float").split(END)
+        path.write_bytes(head + END + V.astype("<f4").tobytes() + whole[V.nbytes :])
+    mesh, before = load_mesh(path), path.read_bytes()
+    huge = mesh.vertices.copy()
+    huge[0, 0] = 1e39
+    with pytest.raises(MeshError, match=r"coordinates up to 1e\+39 do not fit float32"):
+        mesh.save(path, huge)
+    assert path.read_bytes() == before

@@ -8,11 +8,11 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from solver.errors import MeshError
 from solver.mesh.formats.gltf.accessors import FLOAT, stored
 from solver.mesh.formats.gltf.container import Bytes, Gltf
 from solver.mesh.formats.gltf.saving.occupancy import Occupancy, references
 from solver.mesh.formats.gltf.schema import Json
+from solver.mesh.formats.narrowing import narrowed
 from solver.types import BoolArray, FloatArray
 
 
@@ -48,14 +48,14 @@ class Edit:
         if view["buffer"] not in self._copies:
             self._copies[view["buffer"]] = self.gltf.buffers[view["buffer"]].copy()
         window = stored(self._copies[view["buffer"]], accessor, view)
-        window[rows] = _float32(values[rows])
+        window[rows] = narrowed(values[rows], "<f4")
         _set_bounds(accessor, window)
         return number
 
     def append(self, like: Json, values: FloatArray, **members: int) -> int:
         """Add an accessor of float32 values (count, width), the rest as in another one; further
         members are for its buffer view."""
-        data = _float32(values)
+        data = narrowed(values, "<f4")
         form = ("bufferView", "byteOffset", "normalized", "sparse")
         accessor = {key: entry for key, entry in like.items() if key not in form}
         accessor["bufferView"] = self.append_bytes(data.tobytes(), **members)
@@ -102,14 +102,6 @@ class Edit:
         # An extension may hold the same data in another form, which would contradict.
         view = self.gltf.json["bufferViews"][accessor["bufferView"]]
         return "extensions" not in view and self._occupancy.is_private(number)
-
-
-def _float32(values: FloatArray) -> NDArray[np.float32]:
-    with np.errstate(over="ignore", invalid="ignore"):
-        data = values.astype("<f4")
-    if (np.isinf(data) & np.isfinite(values)).any():
-        raise MeshError(f"coordinates up to {np.nanmax(np.abs(values)):.3g} do not fit float32")
-    return data
 
 
 def _set_bounds(accessor: Json, values: NDArray[np.float32]) -> None:
