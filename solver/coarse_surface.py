@@ -21,7 +21,7 @@ from solver.errors import ConstraintError
 from solver.geometry.rotations import nearest_rotations
 from solver.linear.binding import Binding, bind, gains_of
 from solver.linear.drag_model import DragModel, Transforms
-from solver.linear.grab import as_grab_weights
+from solver.linear.grab import as_grab_weights, relative
 from solver.linear.rest_surface import RestSurface
 from solver.setup import FREE, Setup
 from solver.surface.embedding import Embedding, Identity
@@ -33,7 +33,8 @@ class CoarseSurface:
     """A shown mesh on a fine surface, whose frames are those of a coarse one. See BoundSurface.
 
     embedding: of the shown mesh on the fine surface.  carrier: of the fine on the coarse one.
-    coarse: the coarse surface, bound.  grabs: (n,) the fine weights of each soft handle.
+    coarse: the coarse surface, bound.  rotations: from the coarse to the fine one.
+    grab_weights: (n,) of each soft handle on the fine surface.
     """
 
     embedding: Embedding
@@ -41,14 +42,16 @@ class CoarseSurface:
     carrier: Carrier
     held: Held
     coarse: BoundSurface
-    grabs: tuple[FloatArray, ...] = ()
+    rotations: VertexRotations
+    grab_weights: tuple[FloatArray, ...] = ()
 
     @staticmethod
     def of(embedding: Embedding, setup: Setup, count: int) -> CoarseSurface:
         """Bound for the first time, with at most `count` coarse vertices."""
         carrier = Carrier(RestSurface(embedding.vertices, embedding.topology), count)
         held = Held(carrier, embedding.setup(setup))
-        return CoarseSurface(embedding, setup, carrier, held, _coarse(carrier, held))
+        coarse = _coarse(carrier, held)
+        return CoarseSurface(embedding, setup, carrier, held, coarse, VertexRotations(carrier))
 
     def prepare(self) -> None:
         """See Deformer.prepare."""
@@ -60,8 +63,9 @@ class CoarseSurface:
         same = fine.holds_as(self.held.setup)
         held = self.held.with_material(fine) if same else Held(self.carrier, fine)
         coarse = _coarse(self.carrier, held, self.coarse)
-        bound = CoarseSurface(self.embedding, setup, self.carrier, held, coarse)
-        for weights in self.grabs:
+        parts = self.carrier, held, coarse, self.rotations
+        bound = CoarseSurface(self.embedding, setup, *parts)
+        for weights in self.grab_weights:
             bound = bound.with_grab(weights)
         return bound
 
@@ -74,18 +78,13 @@ class CoarseSurface:
         """With one more soft handle, from weights (n,) on the fine surface."""
         hanging = self.carrier.gather(self._moment_rows(weights))
         coarse = self.coarse.with_grab(self.carrier.weights.T @ weights, hanging)
-        return replace(self, coarse=coarse, grabs=(*self.grabs, weights))
+        return replace(self, coarse=coarse, grab_weights=(*self.grab_weights, weights))
 
     def _moment_rows(self, weights: FloatArray) -> FloatArray:
         """diag(omega) J, (n, 4), of the fine vertices that are free, in coarse units."""
         points = self.carrier.coarse.normalise(self.carrier.fine.vertices)
-        omega = np.where(self.held.group == FREE, weights, 0.0) / weights.max()
+        omega = np.where(self.held.group == FREE, relative(weights), 0.0)
         return omega[:, None] * np.column_stack([points, np.ones(len(points))])
-
-    @property
-    def grab_weights(self) -> tuple[FloatArray, ...]:
-        """(n,) of each soft handle on the fine surface."""
-        return self.grabs
 
     @property
     def binding(self) -> Binding:
@@ -115,13 +114,9 @@ class CoarseSurface:
     def _poisson(self) -> FinePoisson:
         sigma = gains_of(self.carrier.fine, self.held.setup)[1]
         structure = self.held.structure
-        moments = [self._moment_rows(weights)[structure.free] for weights in self.grabs]
+        moments = [self._moment_rows(weights)[structure.free] for weights in self.grab_weights]
         C = np.hstack([np.empty((len(structure.free), 0)), *moments])
         return FinePoisson(structure, sigma, C)
-
-    @cached_property
-    def _rotations(self) -> VertexRotations:
-        return VertexRotations(self.carrier)
 
     def posed(self, transforms: Sequence[ArrayLike], level: int) -> FloatArray:
         """The shown mesh (n', 3) for one transform (4, 4) a handle. Raises ConstraintError."""
@@ -190,10 +185,10 @@ class CoarseSurface:
         displacement: the linear change of the coarse U.  moved: (n, 3) of the fine vertices.
         """
         fine, vertices = self.carrier.fine, self.held.structure.vertices
-        means = self._rotations.means(self._coarse_rotations(displacement, transforms, level))
+        means = self.rotations.means(self._coarse_rotations(displacement, transforms, level))
         for number, T in enumerate(self._held_frames(transforms)):
             means[self.held.coarse_group == number] = T
-        R = self._rotations.at(means, vertices)
+        R = self.rotations.at(means, vertices)
         X = fine.points + moved * (self._scale / fine.scale)
         X = self._poisson.positions(X, R, self._poisson.moments(X))
         return self._shown((X - fine.points) * (fine.scale / self._scale))

@@ -92,13 +92,18 @@ def as_grab_weights(weights: ArrayLike, vertex_count: int) -> FloatArray:
     return w
 
 
+def relative(weights: FloatArray) -> FloatArray:
+    """Weights (n,) as shares of the largest; zero where all are."""
+    return np.asarray(weights / max(weights.max(), np.finfo(float).tiny))
+
+
 def _moments(
     rest: RestSurface, weights: FloatArray, lever: float, hanging: FloatArray | None
 ) -> FloatArray:
     """C = diag(omega) J, with the frames' rows only where positions determine nothing."""
     n = len(weights)
     J = rest.affine_rows
-    omega = weights / max(weights.max(), np.finfo(float).tiny)
+    omega = relative(weights)
     C = np.zeros_like(J) if hanging is None else hanging.copy()
     if hanging is None:
         C[:n] = omega[:, None] * J[:n]

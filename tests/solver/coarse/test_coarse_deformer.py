@@ -165,8 +165,7 @@ def test_what_nothing_holds_stays_and_what_is_near_follows() -> None:
     ball = shapes.sphere(3)[0] * 0.3, shapes.sphere(3)[1]
     surfaces = [(V, F), (ball[0] + [7.5, 0, 1.35], ball[1]), (ball[0] + [20.0, 0, 0], ball[1])]
     starts = np.cumsum([0, *(len(P) for P, _ in surfaces)])
-    P = np.concatenate([points for points, _ in surfaces])
-    T = np.concatenate([faces + k for (_, faces), k in zip(surfaces, starts[:-1], strict=True)])
+    P, T = shapes.together(*surfaces)
     bound = Deformer(P, T, FIXED, [HANDLE], coarse=600)
     near, far = slice(starts[1], starts[2]), slice(starts[2], starts[3])
     for level in LEVELS:
@@ -202,5 +201,7 @@ def test_mistakes_are_named_as_they_are_exactly() -> None:
         deformer(handles=[[len(V)]])
     with shapes.refuses(ConstraintError, "grab weights must be"):
         deformer().grab(np.ones(COUNT))
+    with shapes.refuses(ConstraintError, "grab weights select no vertex"):
+        deformer().grab(np.zeros(len(V)))
     with shapes.refuses(ConstraintError, "targets must be"):
         deformer().solve(np.zeros((3, 3)))
