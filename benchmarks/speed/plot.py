@@ -31,7 +31,8 @@ def draw(results: Sequence[Result], path: Path) -> bool:
     for names, style in ((OURS, "o-"), (PEERS, "s--")):
         for name in names:
             points = [(r.vertices, r.times[name]) for r in results if name in r.times]
-            axes.loglog(*zip(*points, strict=True), style, markersize=4, label=name)
+            if points:  # a program may be missing, or too slow for every size
+                axes.loglog(*zip(*points, strict=True), style, markersize=4, label=name)
     axes.set(xlabel="vertices", ylabel="seconds", title="Medians; dashed: other programs")
     axes.set_xticks(
         [r.vertices for r in results], [f"{r.vertices:,}" for r in results], minor=False

@@ -52,15 +52,15 @@ def simplify(V: FloatArray, topology: Topology, count: int) -> Simplification:
     F, component = topology.faces, topology.vertex_component
     used = np.bincount(F.ravel(), minlength=len(V)) > 0
     size = np.bincount(component[used], minlength=component.max() + 1)
-    order = np.argsort(component[F[:, 0]], kind="stable")
-    pieces = np.split(F[order], np.cumsum(np.bincount(component[F[:, 0]], minlength=len(size))))
+    own_faces = _members(component[F[:, 0]], len(size))
+    own_vertices = _members(np.where(used, component, len(size)), len(size))
     cell = np.full(len(V), -1)
     number = np.empty(len(V), dtype=np.int64)
     vertices, faces, total = [], [], 0
-    for piece, allowed in zip(pieces[:-1], _shares(size, count), strict=True):
-        if len(piece) == 0:
+    for rows, own, allowed in zip(own_faces, own_vertices, _shares(size, count), strict=True):
+        if len(rows) == 0:
             continue
-        own = np.flatnonzero(np.bincount(piece.ravel(), minlength=1))
+        piece = F[rows]
         number[own] = np.arange(len(own))
         P, T, goes = _simplified_piece(V[own], number[piece], int(allowed))
         cell[own] = goes + total
@@ -68,6 +68,12 @@ def simplify(V: FloatArray, topology: Topology, count: int) -> Simplification:
         faces.append(T + total)
         total += len(P)
     return Simplification(np.concatenate(vertices), np.concatenate(faces), cell)
+
+
+def _members(piece: IntArray, count: int) -> list[IntArray]:
+    """Of each of `count` pieces where its number stands in `piece`, in order."""
+    order = np.argsort(piece, kind="stable")
+    return np.split(order, np.cumsum(np.bincount(piece, minlength=count)[:count]))[:count]
 
 
 def _shares(size: IntArray, count: int) -> IntArray:

@@ -98,3 +98,10 @@ def aligned(X: FloatArray, V: FloatArray) -> FloatArray:
     A, _, B = np.linalg.svd(x.T @ v)
     D = np.diag([1, 1, np.sign(np.linalg.det(A @ B))])
     return np.asarray(x @ A @ D @ B + V.mean(axis=0))
+
+
+def together(*surfaces: Surface) -> Surface:
+    """Several surfaces as one mesh."""
+    starts = np.cumsum([0, *(len(V) for V, _ in surfaces)])
+    faces = [F + start for (_, F), start in zip(surfaces, starts[:-1], strict=True)]
+    return np.concatenate([V for V, _ in surfaces]), np.concatenate(faces)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
@@ -58,7 +59,7 @@ class DeformedSurface:
     progress: Progress = silent
     groups: Groups | None = None
 
-    @property
+    @cached_property
     def triangles(self) -> IntArray:
         """(m, 3) vertices of each triangle."""
         return self.polygons.corners[self.triangle_corners]

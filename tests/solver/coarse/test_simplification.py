@@ -23,13 +23,6 @@ def simplified(surface: shapes.Surface, count: int) -> Simplification:
     return simplify(V, Topology(F, len(V)), count)
 
 
-def together(*surfaces: shapes.Surface) -> shapes.Surface:
-    """Several surfaces as one mesh."""
-    starts = np.cumsum([0, *(len(V) for V, _ in surfaces)])
-    faces = [F + start for (_, F), start in zip(surfaces, starts[:-1], strict=True)]
-    return np.concatenate([V for V, _ in surfaces]), np.concatenate(faces)
-
-
 def boundary_length(P: FloatArray, F: IntArray) -> float:
     topology = Topology(F, len(P))
     ends = P[topology.edges[topology.valence == 1]]
@@ -74,7 +67,7 @@ def test_every_piece_survives_by_itself_and_a_small_one_as_it_is() -> None:
     V, F = SURFACES["sphere"]
     triangle = np.array([[3.0, 0, 0], [4, 0, 0], [3, 1, 0]]), np.array([[0, 1, 2]])
     touching = V + [2.0, 0, 0], F
-    fine = together((V, F), triangle, touching)
+    fine = shapes.together((V, F), triangle, touching)
     coarse = simplified(fine, 300)
     component = Topology(fine[1], len(fine[0])).vertex_component
     own = Topology(coarse.faces, len(coarse.vertices)).vertex_component
@@ -122,7 +115,7 @@ def test_the_other_side_of_a_thin_sheet_is_not_taken_for_this_one() -> None:
     rim = np.flatnonzero(V[:, 0] == 0)
     a, b = rim[:-1], rim[1:]
     side = np.concatenate([np.column_stack([a, b, b + n]), np.column_stack([a, b + n, a + n])])
-    thin, faces = together((V, F), below)
+    thin, faces = shapes.together((V, F), below)
     coarse = simplified((thin, np.vstack([faces, side])), 300)
     far = np.flatnonzero(V[:, 0] > 10)
     surface = NearbySurface(coarse.vertices, coarse.faces)

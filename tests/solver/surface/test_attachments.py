@@ -19,12 +19,6 @@ from tests.solver.shapes import Surface
 T = motion(rotation([0, 0, 1], 30), [0.2, 0.3, 0], [4, 0, 0])
 
 
-def together(*surfaces: Surface) -> Surface:
-    counts = np.cumsum([0, *(len(V) for V, _ in surfaces)])
-    V = np.vstack([V for V, _ in surfaces])
-    return V, np.vstack([F + n for (_, F), n in zip(surfaces, counts, strict=False)])
-
-
 def ball(centre: tuple[float, float, float], radius: float) -> Surface:
     V, F = shapes.sphere(2)
     return radius * V + centre, F
@@ -39,8 +33,10 @@ def plate(x: float, y: float, z: float) -> Surface:
 TUBE = shapes.tube(40, 20)
 ROOT, TIP = (np.flatnonzero(mask) for mask in (TUBE[0][:, 0] < 0.5, TUBE[0][:, 0] > 7.5))
 # An eye that sits in the surface, a button that lies on it, a bead that hangs beside the button.
-DRESSED = together(TUBE, ball((4, 1, 0), 0.3), plate(5, -0.2, 1.02), ball((5.2, 0.0, 1.3), 0.12))
-FAR = together(TUBE, ball((4, 3, 0), 0.3))
+DRESSED = shapes.together(
+    TUBE, ball((4, 1, 0), 0.3), plate(5, -0.2, 1.02), ball((5.2, 0.0, 1.3), 0.12)
+)
+FAR = shapes.together(TUBE, ball((4, 3, 0), 0.3))
 
 
 def piece(number: int, surface: Surface = DRESSED) -> IntArray:
@@ -166,7 +162,7 @@ def test_a_chair_stays_a_chair() -> None:
     """Legs that are fixed and a back that is dragged hold one seat between them."""
     boxes = [((0, 0, 0), (4, 4, 1)), ((0, -4, 0), (1, 4, 1)), ((3, -4, 0), (1, 4, 1))]
     boxes.append(((0, 4, 0), (4, 4, 1)))
-    V, F = together(*(box(start, extent) for start, extent in boxes))
+    V, F = shapes.together(*(box(start, extent) for start, extent in boxes))
     legs = np.flatnonzero(V[:, 1] < -3)
     back = np.flatnonzero(V[:, 1] > 6)
     turn = motion(rotation([1, 0, 0], -30), centre=[2, 4, 0.5])

@@ -33,16 +33,21 @@ def divide(surface: DeformedSurface) -> list[Share]:
     if groups is None:
         return [Share("", np.arange(count), F)]
     group = _of_triangles(groups, surface)
-    owner = _owners(group, F, count)
+    owned = _members(_owners(group, F, count))
     shares = []
-    for number in np.unique(group).tolist():
-        faces = F[group == number]
-        named = np.zeros(count, dtype=bool)
-        named[faces.ravel()] = True
-        vertices = np.flatnonzero(named | (owner == number))
+    for number, own in _members(group).items():
+        faces = F[own]
+        vertices = np.union1d(faces, owned.get(number, faces))
         name = groups.names[number] if number >= 0 else ""
         shares.append(Share(name, vertices, np.searchsorted(vertices, faces)))
     return sorted(shares, key=lambda share: int(share.vertices[0]))
+
+
+def _members(group: IntArray) -> dict[int, IntArray]:
+    """For each number in `group` where it stands, in order."""
+    order = np.argsort(group, kind="stable")
+    numbers, first = np.unique(group[order], return_index=True)
+    return dict(zip(numbers.tolist(), np.split(order, first[1:]), strict=True))
 
 
 def _of_triangles(groups: Groups, surface: DeformedSurface) -> IntArray:

@@ -51,10 +51,11 @@ def to_glb(gltf: Gltf, keeps_names: bool) -> bytes:
     """One file: JSON, the first buffer, and what else there was."""
     root, binary = dict(gltf.json), b""
     if gltf.buffers:
-        first, *others = (_entry(gltf, i, keeps_names) for i in range(len(gltf.buffers)))
-        if len(gltf.buffers[0]) and (is_data(first.get("uri", "")) or not keeps_names):
+        first, buffer = gltf.json["buffers"][0], gltf.buffers[0]
+        if len(buffer) and (is_data(first.get("uri", "data:")) or not keeps_names):
             first = {key: value for key, value in first.items() if key != "uri"}
-            binary = _chunk(BINARY_CHUNK, gltf.buffers[0].tobytes(), b"\0")
+            binary = _chunk(BINARY_CHUNK, buffer.tobytes(), b"\0")
+        others = (_entry(gltf, i, keeps_names) for i in range(1, len(gltf.buffers)))
         root["buffers"] = [first, *others]
     text = json.dumps(root, separators=(",", ":")).encode()
     body = _chunk(JSON_CHUNK, text, b" ") + binary + gltf.chunks
