@@ -15,6 +15,7 @@ from .person import ROOT, Person
 from .scene import Scene
 
 Opener = Callable[..., Person]
+SCREENS = ROOT / "build" / "screens"
 
 
 @pytest.fixture(scope="session")
@@ -29,7 +30,22 @@ def display(tmp_path_factory: pytest.TempPathFactory) -> Iterator[VirtualDisplay
 
 
 @pytest.fixture
-def open_window(display: VirtualDisplay, tmp_path: Path) -> Iterator[Opener]:
+def see_out(request: pytest.FixtureRequest) -> Callable[[Person], None]:
+    """Ends a window; what it shows then is kept in build/screens, to be looked at."""
+
+    def see_out(person: Person) -> None:
+        if person.process.poll() is None:
+            SCREENS.mkdir(parents=True, exist_ok=True)
+            person.screenshot(SCREENS / f"{request.node.name}.png")
+        person.leave()
+
+    return see_out
+
+
+@pytest.fixture
+def open_window(
+    display: VirtualDisplay, tmp_path: Path, see_out: Callable[[Person], None]
+) -> Iterator[Opener]:
     """`open_window(*arguments)` starts `python -m app ARGUMENTS` in `tmp_path`."""
     people: list[Person] = []
 
@@ -39,7 +55,7 @@ def open_window(display: VirtualDisplay, tmp_path: Path) -> Iterator[Opener]:
 
     yield open_window
     for person in people:
-        person.leave()
+        see_out(person)
         assert "Traceback" not in person.output()
 
 

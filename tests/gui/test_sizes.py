@@ -26,7 +26,9 @@ def large(display: VirtualDisplay, tmp_path: Path) -> Iterator[VirtualDisplay]:
 
 
 @pytest.fixture
-def sit_down(large: VirtualDisplay, tmp_path: Path) -> Iterator[Callable[..., Person]]:
+def sit_down(
+    large: VirtualDisplay, tmp_path: Path, see_out: Callable[[Person], None]
+) -> Iterator[Callable[..., Person]]:
     """`sit_down(**preferences)` opens the window before that screen."""
     people: list[Person] = []
 
@@ -37,7 +39,7 @@ def sit_down(large: VirtualDisplay, tmp_path: Path) -> Iterator[Callable[..., Pe
 
     yield sit_down
     for person in people:
-        person.leave()
+        see_out(person)
 
 
 def panel_width(person: Person) -> int:
@@ -55,6 +57,27 @@ def test_a_window_suits_the_scale_of_the_screen(
     person = sit_down()
     assert person.size() == (1920, 1200)
     assert abs(panel_width(person) - 1.5 * WIDTH) <= 1
+
+
+@pytest.mark.parametrize(
+    ("scale", "size"),
+    [(1.0, (1000, 650)), (1.0, (1280, 800)), (SCALE, SIZE)],
+    ids=["small", "usual", "large"],
+)
+def test_the_whole_figure_stands_beside_the_panel(
+    sit_down: Callable[..., Person], scale: float, size: tuple[int, int]
+) -> None:
+    person = sit_down(interface_scale=scale, window=size)
+    assert person.size() == size
+    person.key("1")  # without the gizmo, which may pass over the border
+    person.move(size[0] - 5, 5)
+    person.wait_still()
+    view = person.picture()[:, panel_width(person) :].astype(int)
+    figure = np.abs(view - view[0, -1]).max(axis=2) > 12
+    messages = round(100 * scale)
+    assert figure[:-messages].mean() > 0.05
+    for border in (figure[0], figure[:-messages, 0], figure[:-messages, -1]):
+        assert not border.any()
 
 
 def test_all_is_as_large_as_is_preferred_and_sections_fold(
