@@ -28,6 +28,7 @@ from app.worker.client import Worker
 from app.workspace.blend import Blend
 from app.workspace.heat import Heat
 from app.workspace.interaction import Interaction, Message, Moment
+from app.workspace.late import Late
 from app.workspace.marking import Marking
 from app.workspace.parts import Parts
 from app.workspace.placing import Pivots, Placing
@@ -52,6 +53,7 @@ class Workspace:
     progress: what is told how far reading and saving are.  viewpoint: where the person looks from.
     last_input: of the frame before.  export_path: where Export goes by default.  session_path: the
     session file last opened or saved.  written: the files that exports gave a name.
+    late: what a drag owes that was over before the solver's bind had come.
     before_press: what there was before the mouse was pressed last.
     """
 
@@ -88,6 +90,7 @@ class Workspace:
         self.document = document
         self.session_path = session_path
         self.history = History()
+        self.late = Late()
         self.surface = LiveSurface(document.rest_positions, self.worker, self._complain)
         self.neighbours = Neighbours(mesh.vertices, mesh.faces)
         self.pivots = Pivots(self.neighbours.edges)
@@ -138,6 +141,16 @@ class Workspace:
         interaction, self.interaction = self.interaction, None
         if interaction is not None:
             interaction.cancel()
+
+    def catch_up(self) -> bool:
+        """Pay what is `late`, if that is possible by now; whether it was. Raises SolverError."""
+        return self.interaction is None and self.late.pay(self.document, self.history, self.surface)
+
+    def settle(self) -> None:
+        """Wait until the surface is what the document asks for. Raises SolverError."""
+        self.surface.settle(self.document)
+        if self.catch_up():
+            self.surface.settle(self.document)
 
     @property
     def moment(self) -> Moment:

@@ -19,6 +19,7 @@ from app.tools.gizmo.freedoms import (
 )
 from app.tools.gizmo.number import Number
 from app.tools.gizmo.shape import axis_line, turn_circle
+from app.tools.lateness import follow_late
 from app.viewpoint.camera import Camera, Pixel
 from app.viewpoint.events import Input
 from app.workspace.operator import Operator
@@ -63,6 +64,7 @@ class Placement(Operator):
         self._snaps = False
         self._camera = work.viewpoint.camera
         self._letter, self._times = "", 0
+        self._done: tuple[object, ...] = ()
 
     def move(self, frame: Input) -> None:
         """Follow the cursor, round values with Ctrl; while the camera moves it is not followed."""
@@ -88,7 +90,10 @@ class Placement(Operator):
 
     def finish(self) -> None:
         """Keep it as one entry of the history."""
+        moved = self._gesture.started
         self._work.history.record(self._gesture.finish(label_of(self._kind, self._handles)))
+        if moved:
+            follow_placed(self._work, self._handles, self._kind)
 
     def cancel(self) -> None:
         """Put the handles back."""
@@ -135,11 +140,14 @@ class Placement(Operator):
         return self._freedom, self._value
 
     def _apply(self) -> None:
-        freedom, value = self._result()
-        pose = self._before
+        work, (freedom, value) = self._work, self._result()
+        asked = (freedom, *value, work.surface.bound, work.placing.pivot, work.symmetry)
+        if asked == self._done:  # nothing has changed
+            return
+        self._done, pose = asked, self._before
         if value.any():
-            pose = placed(self._work, pose, freedom.motion(value), self._kind)
-        if pose != self._work.document.pose:
+            pose = placed(work, pose, freedom.motion(value), self._kind)
+        if pose != work.document.pose:
             self._gesture.change("pose", pose)
 
 
@@ -147,8 +155,26 @@ def placed(work: Workspace, pose: Pose, T: FloatArray, kind: str) -> Pose:
     """The pose with the selected handles moved by T (4, 4); turned ones may find their place."""
     keys = [handle.key for handle in work.selected]
     pose = work.posed(pose, {key: T @ pose.of(key) for key in keys})
-    follows = kind == "Turn" and work.placing.pivot == "free"
-    return work.surface.placed(pose, keys) if follows else pose
+    return _followed(work, pose, keys) if _follows(work, kind) else pose
+
+
+def follow_placed(work: Workspace, handles: Sequence[Handle], kind: str) -> None:
+    """Say so where the surface has yet to follow handles that were kept at a place before a bind.
+
+    Turned ones find their place when it is there.
+    """
+    keys = [handle.key for handle in handles if handle.key in work.handle_centres]
+    if not all(map(work.surface.holds, keys)):
+        pose = (lambda: _followed(work, work.document.pose, keys)) if _follows(work, kind) else None
+        follow_late(work, keys, pose)
+
+
+def _follows(work: Workspace, kind: str) -> bool:
+    return kind == "Turn" and work.placing.pivot == "free"
+
+
+def _followed(work: Workspace, pose: Pose, keys: Sequence[int]) -> Pose:
+    return work.surface.placed(pose, keys)
 
 
 def label_of(kind: str, handles: Sequence[Handle]) -> str:
