@@ -31,10 +31,12 @@ def blended_pose(start: Pose, end: Pose, share: float, centres: Mapping[int, Flo
     """
     if share in (0.0, 1.0):
         return start if share == 0.0 else end
-    keys = {**start.transforms, **end.transforms}
-    return Pose(
-        {key: blended(start.of(key), end.of(key), share, centres.get(key, ORIGIN)) for key in keys}
-    )
+    pose = Pose()
+    for key in {**start.transforms, **end.transforms}:
+        T = blended(start.of(key), end.of(key), share, centres.get(key, ORIGIN))
+        near = (1.0 - share) * start.turn(key) + share * end.turn(key)
+        pose = pose.moved(key, T, near)
+    return pose
 
 
 def without_handle(poses: Iterable[KeptPose], key: int) -> tuple[KeptPose, ...]:

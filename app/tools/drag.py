@@ -56,7 +56,7 @@ class Drag:
             return
         self._done, self._goal = asked, target
         transform = self._turned(self.key, target) if turns else self._shifted(target)
-        self.gesture.change("pose", work.posed(work.document.pose, {self.key: transform}))
+        self.gesture.change("pose", self._posed(self.key, transform))
 
     def finish(self) -> None:
         """Keep the drag as one entry of the history."""
@@ -77,7 +77,7 @@ class Drag:
 
         def turned() -> Pose:
             assert goal is not None
-            return work.posed(work.document.pose, {key: self._turned(key, goal)})
+            return self._posed(key, self._turned(key, goal))
 
         follow_late(work, [key], turned if work.turn and goal is not None else None)
 
@@ -94,6 +94,10 @@ class Drag:
         still = np.linalg.norm(target - self._start) < STILL * self.work.document.diagonal
         # A click must not turn the handle; a handle brought back to where it was may.
         return None if still and not self.gesture.started else target
+
+    def _posed(self, key: int, transform: FloatArray) -> Pose:
+        """With one handle elsewhere, and what mirrors it."""
+        return self.work.mirrored(self.work.document.pose.moved(key, transform), [key])
 
     def _turned(self, key: int, target: FloatArray) -> FloatArray:
         work = self.work

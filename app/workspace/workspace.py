@@ -5,7 +5,7 @@ Editor adds the two ways in (`step` and `execute`); everything below it sees onl
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -190,17 +190,9 @@ class Workspace:
         self.picker = Picker(self.document.mesh.vertices, self.parts.faces)
         self._under = Latest()
 
-    def posed(self, pose: Pose, transforms: Mapping[int, FloatArray]) -> Pose:
-        """A pose with some handles elsewhere, (4, 4) by key, and those that mirror them too."""
-        for key, T in transforms.items():
-            pose = pose.moved(key, T)
-        if self.symmetry is None:
-            return pose
-        for key, T in transforms.items():
-            other = self.symmetry.handle(self.document, key)
-            if other is not None and other not in transforms:
-                pose = pose.moved(other, self.symmetry.transform(T))
-        return pose
+    def mirrored(self, pose: Pose, keys: Collection[int]) -> Pose:
+        """The pose with what mirrors handles `keys` moved along, if there is a mirror."""
+        return self.symmetry.followed(self.document, pose, keys) if self.symmetry else pose
 
     @property
     def positions(self) -> FloatArray:

@@ -9,11 +9,12 @@ import numpy as np
 
 from app.editor import commands as c
 from app.editor.action import Actions, check_name, given
+from app.model.handles import rotation_of
 from app.model.settings import is_number
 from app.tools.gizmo.begin import begin_operator
 from app.tools.gizmo.pick import PickPivot
 from app.tools.gizmo.placement import follow_placed, label_of, placed
-from app.workspace.placing import AXES, PIVOTS, rotation_of
+from app.workspace.placing import AXES, PIVOTS
 from app.workspace.workspace import Workspace
 from solver.geometry.motions import from_euler_angles, motion
 from solver.types import FloatArray

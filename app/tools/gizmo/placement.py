@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from app.model.handles import Handle, Pose
+from app.model.handles import NO_TURN, Handle, Pose
 from app.model.history import Gesture
 from app.scene.overlay import Label, Overlay
 from app.tools.gizmo.freedoms import (
@@ -25,6 +25,7 @@ from app.viewpoint.events import Input
 from app.workspace.operator import Operator
 from app.workspace.placing import axes_of
 from app.workspace.workspace import Workspace
+from solver.geometry.turns import nearest_turn, turned_by
 from solver.types import FloatArray
 
 AxisFreedom = Callable[[FloatArray, FloatArray, str], Freedom]
@@ -146,15 +147,24 @@ class Placement(Operator):
             return
         self._done, pose = asked, self._before
         if value.any():
-            pose = placed(work, pose, freedom.motion(value), self._kind)
+            turn = np.radians(value) if self._kind == "Turn" else NO_TURN
+            pose = placed(work, pose, freedom.motion(value), self._kind, turn)
         if pose != work.document.pose:
             self._gesture.change("pose", pose)
 
 
-def placed(work: Workspace, pose: Pose, T: FloatArray, kind: str) -> Pose:
-    """The pose with the selected handles moved by T (4, 4); turned ones may find their place."""
+def placed(
+    work: Workspace, pose: Pose, T: FloatArray, kind: str, turn: FloatArray | None = None
+) -> Pose:
+    """The pose with the selected handles moved by T (4, 4); turned ones may find their place.
+
+    turn: (3,) in radians, the way round to T; without one the shorter way.
+    """
     keys = [handle.key for handle in work.selected]
-    pose = work.posed(pose, {key: T @ pose.of(key) for key in keys})
+    way = nearest_turn(T[:3, :3], NO_TURN) if turn is None else turn
+    for key in keys:
+        pose = pose.moved(key, T @ pose.of(key), turned_by(pose.turn(key), way))
+    pose = work.mirrored(pose, keys)
     return _followed(work, pose, keys) if _follows(work, kind) else pose
 
 
@@ -174,7 +184,10 @@ def _follows(work: Workspace, kind: str) -> bool:
 
 
 def _followed(work: Workspace, pose: Pose, keys: Sequence[int]) -> Pose:
-    return work.surface.placed(pose, keys)
+    """Both sides of a mirror find their places together, and are mirror images afterwards."""
+    across = [work.symmetry.handle(work.document, key) for key in keys] if work.symmetry else []
+    both = {*keys, *(key for key in across if key is not None)}
+    return work.mirrored(work.surface.placed(pose, both), keys)
 
 
 def label_of(kind: str, handles: Sequence[Handle]) -> str:
