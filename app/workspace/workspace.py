@@ -11,13 +11,16 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
+import numpy as np
+
 from app.latest import Latest
 from app.live.live_surface import LiveSurface
 from app.model.document import Document, clock
-from app.model.handles import Handle, Pose
+from app.model.handles import FIRST_HANDLE, Handle, Pose
 from app.model.history import Gesture, History
 from app.pointing.brush import Brush, Neighbours
 from app.pointing.picking import Hit, Picker
+from app.pointing.seen_vertices import SeenVertices
 from app.scene.looks import PLAIN, Looks
 from app.scene.regions import Regions
 from app.selection.limbs import Limbs
@@ -103,6 +106,7 @@ class Workspace:
         self.symmetry_name = "off"
         self.picker = Picker(mesh.vertices, mesh.faces)
         self._under: Latest[Hit | None] = Latest()
+        self._seen_handles: Latest[SeenVertices] = Latest()
         self._centres: Latest[dict[int, FloatArray]] = Latest()
         self._limbs: dict[int, Limbs] = {}
         self.last_input: Input | None = None
@@ -173,6 +177,19 @@ class Workspace:
         if ray is None:
             return None
         return self._under((frame, self.surface.version), lambda: self.pick(ray))
+
+    def seen_handles(self, camera: Camera) -> SeenVertices:
+        """Vertices of handles that are shown; found again where they or the camera differ."""
+        document, parts = self.document, self.parts
+        version = camera, self.surface.version, document.revision["role"], parts.hidden
+        return self._seen_handles(
+            version,
+            lambda: SeenVertices(
+                np.flatnonzero((document.role >= FIRST_HANDLE) & parts.visible),
+                self.positions,
+                camera,
+            ),
+        )
 
     @property
     def hovered(self) -> int | None:
