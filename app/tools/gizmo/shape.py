@@ -11,6 +11,7 @@ import numpy as np
 from app.scene.overlay import Color, Fill, Outline, Overlay
 from app.tools.gizmo.freedoms import Freedom, MoveAlong, TurnAbout, TurnFreely
 from app.viewpoint.camera import Camera, Pixel
+from solver.geometry.circles import circle
 from solver.types import FloatArray
 
 RADIUS = 80.0  # pixels, of the rings
@@ -158,9 +159,5 @@ def turn_circle(freedom: Freedom, pivot: FloatArray, camera: Camera) -> Iterator
 
 def _circle(pivot: FloatArray, axis: FloatArray, radius: float) -> FloatArray:
     """(CORNERS, 2, 3) the segments of a circle about an axis."""
-    side = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
-    side /= np.linalg.norm(side)
-    angle = np.linspace(0, 2 * np.pi, CORNERS, endpoint=False)
-    around = np.outer(np.cos(angle), side) + np.outer(np.sin(angle), np.cross(axis, side))
-    corners = pivot + radius * around
+    corners = circle(pivot, axis, radius, CORNERS)
     return np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
