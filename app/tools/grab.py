@@ -85,7 +85,7 @@ def put_pin(work: Workspace, vertices: IntArray, transform: FloatArray | None) -
         placed = _fit(work, vertices) if transform is None else transform
         if not np.array_equal(placed, np.eye(4)):
             gesture.change("pose", document.pose.moved(handle.key, placed))
-    work.activate(handle.key)
+    work.chosen.activate(handle.key)
     return handle.key
 
 

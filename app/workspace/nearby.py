@@ -27,7 +27,8 @@ def near_handle(work: Workspace, frame: Input, reach: float) -> tuple[int, Float
     document, hit = work.document, work.under(frame)
     if hit is not None and document.role[hit.vertex] >= FIRST_HANDLE:
         return int(document.role[hit.vertex]), hit.position
-    nearest = work.seen_handles(frame.camera).nearest(frame.pixel, reach)
+    seen = work.seen_handles.by(frame.camera, document, work.parts, work.surface)
+    nearest = seen.nearest(frame.pixel, reach)
     if nearest is None:
         return None
     point = work.positions[nearest]
