@@ -9,6 +9,7 @@ import pytest
 
 from app.editor import commands as c
 from app.model.handles import FIXED
+from app.model.poses import REST
 from app.model.session import read_session, to_document
 from solver.types import FloatArray
 from tests.app.person import Person, state
@@ -84,6 +85,18 @@ def test_poses_keep_turns_and_a_new_rest_shape_takes_them_away(ready: Person) ->
     check_turn(ready, [-30, 0, 0])
     ready.do(c.ResetHandle(ready.editor.document.handles[0].key))
     check_turn(ready, [0, 0, 0])
+
+
+@pytest.mark.parametrize(("keys", "half"), [("x540", 270), ("x-200", -100), ("x170", 85)])
+def test_a_blend_goes_the_way_the_handle_was_turned(ready: Person, keys: str, half: float) -> None:
+    turn_by(ready, keys)
+    ready.do(c.KeepPose("twisted"), c.ResetPose())
+    (kept,) = ready.editor.document.poses
+    for share in (0.1, 0.5):
+        ready.do(c.BlendPoses(REST, kept.key, share))
+        check_turn(ready, [2 * share * half, 0, 0])
+    ready.do(c.BlendPoses(REST, kept.key, 1.0))
+    check_turn(ready, [2 * half, 0, 0])
 
 
 def mirrored(bar: Person) -> Person:
