@@ -62,9 +62,10 @@ def _lines(outline: Outline, strips: list[Strip]) -> None:
     for color, width in ((DARK, rim), ((*outline.color, 255), outline.width)):
         packed = psim.IM_COL32(*color[:3], round(color[3] * outline.opacity))
         for strip in strips:
-            for pixel in strip:
+            closed = strip[0] == strip[-1]
+            for pixel in strip[closed:]:
                 draw.PathLineTo(pixel)
-            draw.PathStroke(packed, 0, scaled(width))
+            draw.PathStroke(packed, psim.ImDrawFlags_Closed if closed else 0, scaled(width))
 
 
 def _fill(fill: Fill, camera: Camera) -> None:
