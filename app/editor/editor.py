@@ -61,7 +61,7 @@ class Editor(Workspace):
 
     def settle(self) -> None:
         """For scripts: wait until the surface is what the document asks for. Raises SolverError."""
-        self.surface.settle(self.document)
+        super().settle()
         self._refresh()
 
     def close(self) -> None:
@@ -141,6 +141,8 @@ class Editor(Workspace):
 
     def _refresh(self) -> None:
         self.surface.follow(self.document, self.captures, self.dragging)
+        if self.catch_up():
+            self.surface.follow(self.document, self.captures, self.dragging)
         measure = MAPS[self.map].measure
         self.heat.follow(
             measure, self.document, self.positions, self.positions_version, self.dragging

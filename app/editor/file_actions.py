@@ -65,7 +65,7 @@ def save_session(work: Workspace, command: c.SaveSession) -> None:
 def export(work: Workspace, command: c.Export) -> None:
     path = command.path or default_export_path(work)
     spare_mesh(work, path)
-    work.surface.settle(work.document)
+    work.settle()
     with _recent(work, path):
         work.document.mesh.save(path, work.positions, progress=work.progress)
     work.say(f"Exported {path}")

@@ -101,6 +101,7 @@ def _solved(work: Workspace, poses: dict[str, Pose], tell: Progress) -> dict[str
 
     Raises SolverError.
     """
+    work.settle()
     found: dict[str, FloatArray] = {}
     gesture, parts = Gesture(work.document), len(poses) + 1
 

@@ -69,6 +69,11 @@ class History:
         else:  # a slider that came back to where it started leaves nothing to undo
             self.seal()
 
+    def amend(self, entry: Entry) -> None:
+        """Make the changes of an entry part of the last one, as if they had been made with it."""
+        last = self.done.pop()
+        self.done.append(Entry(last.label, compact([*last.edits, *entry.edits]), last.merge))
+
     def retract(self, document: Document, since: Entry | None) -> bool:
         """Take the last entry back for good, if it is the only one made after `since`."""
         before = self.done[-2] if len(self.done) > 1 else None

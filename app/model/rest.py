@@ -29,14 +29,20 @@ def seen_from(pose: Pose, rest: Pose) -> Pose:
 
     Where both have a handle in one place that is the identity to the last bit.
     """
-    keys = {**rest.transforms, **pose.transforms}
-    return Pose({key: _quotient(pose.of(key), rest.of(key)) for key in keys})
+    seen = Pose()
+    for key in {**rest.transforms, **pose.transforms}:
+        turn = pose.turn(key) - rest.turn(key)
+        seen = seen.moved(key, _quotient(pose.of(key), rest.of(key)), turn)
+    return seen
 
 
 def composed(pose: Pose, first: Mapping[int, FloatArray]) -> Pose:
     """What does to a handle its map (4, 4) of `first`, and then what `pose` does."""
-    keys = {**first, **pose.transforms}
-    return Pose({key: pose.of(key) @ first.get(key, np.eye(4)) for key in keys})
+    start, both = Pose(first), Pose()
+    for key in {**first, **pose.transforms}:
+        turn = start.turn(key) + pose.turn(key)
+        both = both.moved(key, pose.of(key) @ start.of(key), turn)
+    return both
 
 
 def _quotient(T: FloatArray, R: FloatArray) -> FloatArray:

@@ -10,6 +10,7 @@ import numpy as np
 
 from app.model.settings import is_number
 from solver.errors import SolverError
+from solver.geometry.turns import MOST, WHOLE
 from solver.types import FloatArray
 
 Check = Callable[[Any, str], Any]  # (value, where) -> value
@@ -46,11 +47,11 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     if len(found) < len(pairs):
         names = [name for name, _ in pairs]
         twice = next(name for name in names if names.count(name) > 1)
-        raise SessionError(f"{_escaped(twice)}: expected once, got it twice in one object")
+        raise SessionError(f"{escaped(twice)}: expected once, got it twice in one object")
     return found
 
 
-def _escaped(name: str) -> str:
+def escaped(name: str) -> str:
     """A key as it stands in the file: without line breaks of its own."""
     return json.dumps(name)[1:-1]
 
@@ -71,9 +72,7 @@ def fields(checks: Mapping[str, Check], required: tuple[str, ...] = ()) -> Check
         for name in value:
             if name not in checks:
                 known = ", ".join(checks)
-                raise SessionError(
-                    f"{prefix}{_escaped(name)}: unknown key, expected one of {known}"
-                )
+                raise SessionError(f"{prefix}{escaped(name)}: unknown key, expected one of {known}")
         for name in required:
             if name not in value:
                 raise SessionError(f"{prefix}{name}: missing")
@@ -99,7 +98,7 @@ def named(item: Check) -> Check:
     def check(value: Any, where: str) -> dict[str, Any]:
         if not isinstance(value, dict):
             raise refuse(where, "an object", value)
-        return {name: item(one, f"{where}.{_escaped(name)}") for name, one in value.items()}
+        return {name: item(one, f"{where}.{escaped(name)}") for name, one in value.items()}
 
     return check
 
@@ -122,6 +121,14 @@ point = that(
     lambda v: isinstance(v, list) and len(v) == 3 and all(map(is_number, v)), "three numbers"
 )
 share = that(lambda v: is_number(v) and 0 <= v <= 1, "a number from 0 to 1")
+
+
+def turn(value: Any, where: str) -> FloatArray:
+    """(3,) radians, see solver.geometry.turns."""
+    found = np.array(point(value, where), dtype=np.float64)
+    if np.abs(found).max() > MOST or np.linalg.norm(found) > MOST:
+        raise refuse(where, f"at most {MOST / WHOLE:.0f} whole turns", value)
+    return found
 
 
 def transform(value: Any, where: str) -> FloatArray:

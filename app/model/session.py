@@ -15,9 +15,16 @@ import numpy as np
 
 from app.model import schema
 from app.model.document import Document
-from app.model.handles import FIXED, FREE, Handle
+from app.model.handles import FIXED, FREE, NO_TURN, Handle
 from app.model.schema import SessionError
-from app.model.session_poses import POSES, handle_names, kept_poses, written_poses
+from app.model.session_poses import (
+    POSES,
+    handle_names,
+    kept_poses,
+    turned,
+    written_poses,
+    written_turn,
+)
 from app.model.settings import SETTINGS
 from solver.mesh.mesh import Mesh
 from solver.softness.material import PRESETS, Material
@@ -41,6 +48,7 @@ _HANDLE = schema.fields(
         "name": schema.text,
         "vertices": schema.list_of(schema.count),
         "transform": schema.transform,
+        "turn": schema.turn,
     }
 )
 SESSION = schema.fields(
@@ -137,18 +145,23 @@ def write_session(path: Path, document: Document) -> None:
 
 
 def _handle(document: Document, handle: Handle, names: dict[int, str]) -> dict[str, Any]:
-    return {
+    entry = {
         "name": names[handle.key],
         "vertices": document.vertices_of(handle.key).tolist(),
         "transform": document.pose.of(handle.key).tolist(),
     }
+    turn = written_turn(document.pose, handle.key)
+    return entry if turn is None else {**entry, "turn": turn}
 
 
 def _add_handle(document: Document, entry: dict[str, Any], pin: bool, where: str) -> None:
     handle = document.new_handle(entry.get("name", ""), pin)
     document.change("handles", (*document.handles, handle))
     if "transform" in entry:
-        document.change("pose", document.pose.moved(handle.key, entry["transform"]))
+        document.change("pose", document.pose.moved(handle.key, entry["transform"], NO_TURN))
+    if "turn" in entry:
+        pose = turned(document.pose, handle.key, entry["turn"], f"{where}.turn")
+        document.change("pose", pose)
     _give_role(document, entry.get("vertices", []), handle.key, f"{where}.vertices")
 
 

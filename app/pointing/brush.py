@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import scipy.sparse as sp
@@ -12,7 +13,7 @@ from app.selection.solids import solid_vertices
 from solver.geometry.topology import Topology, components
 from solver.geometry.welding import seam_links, weld
 from solver.softness.falloff import falloff
-from solver.types import FloatArray, IntArray
+from solver.types import BoolArray, FloatArray, IntArray
 
 RADIUS_STEP = 1.15  # how much larger a notch of the wheel or a key makes a brush
 MAX_DABS = 32  # the most dabs put into one frame of a fast stroke
@@ -37,29 +38,33 @@ class Neighbours:
     """Which vertices edges and seams join; built once a mesh. A stray vertex has no neighbours.
 
     edges: (e, 2).  component: (n,) the connected piece that each vertex belongs to.
-    graph: (n, n) symmetric, with an entry for each pair.  solid: (n,) the vertices of closed
-    pieces whose triangles face outwards.
+    graph: (n, n) symmetric, with an entry for each pair.
     """
 
     def __init__(self, vertices: FloatArray, faces: IntArray) -> None:
         topology = Topology(faces, len(vertices))
         self.edges = topology.edges
-        welded = weld(vertices, topology)
-        links = np.concatenate([topology.edges, seam_links(welded)])
+        links = np.concatenate([topology.edges, seam_links(weld(vertices, topology))])
         self.component = components(links, len(vertices))
-        self.solid = solid_vertices(vertices, topology, welded, self.component)
         a, b = links.T
         ends = np.concatenate([a, b]), np.concatenate([b, a])
         size = (len(vertices), len(vertices))
         self.graph = sp.csr_array((np.ones(2 * len(a)), ends), shape=size)
-        self._faces = faces
+        self._vertices, self._faces = vertices, faces
         corners = faces.ravel(), np.arange(faces.size) // 3
         shape = (len(vertices), len(faces))
         self._faces_at = sp.csr_array((np.ones(faces.size, dtype=np.int8), corners), shape=shape)
 
+    @cached_property
+    def solid(self) -> BoolArray:
+        """(n,) the vertices of closed pieces whose triangles face outwards; most never need it."""
+        topology = Topology(self._faces, len(self._vertices))
+        welded = weld(self._vertices, topology)
+        return solid_vertices(self._vertices, topology, welded, self.component)
+
     def faces_around(self, vertices: IntArray) -> IntArray:
         """(m, 3) the triangles with a corner among vertices (k,)."""
-        return self._faces[np.unique(self._faces_at[vertices].indices)]
+        return self._faces[_distinct(self._faces_at[vertices].indices)]
 
     def dab(
         self, positions: FloatArray, hit: Hit, radius: float, start: FloatArray | None = None
@@ -93,9 +98,7 @@ class Neighbours:
             found.append(front[near])
             distances.append(away[near])
             around = self.graph[front[near]].indices
-            around = np.sort(around[~seen[around]])
-            # np.unique would hash them, which takes several times as long.
-            front = around[np.diff(around, prepend=-1) > 0].astype(np.int64)
+            front = _distinct(around[~seen[around]])
         return np.concatenate(found), np.concatenate(distances)
 
     def fading(self, vertices: IntArray, rings: int) -> FloatArray:
@@ -123,6 +126,12 @@ class Neighbours:
             mean = (rows @ values) / np.maximum(degree, 1)
             values[vertices] += amounts * (mean - values[vertices])
         return values[vertices]
+
+
+def _distinct(numbers: IntArray) -> IntArray:
+    """Ascending, without repetition. np.unique would hash them, and take far longer."""
+    numbers = np.sort(numbers)
+    return numbers[np.diff(numbers, prepend=-1) > 0].astype(np.int64)
 
 
 def _squared_distances(positions: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:

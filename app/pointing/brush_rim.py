@@ -8,7 +8,9 @@ from app.pointing.brush import Neighbours
 from app.pointing.picking import Hit
 from app.scene.overlay import Color, Outline
 from app.viewpoint.camera import Camera
+from solver.geometry.circles import circle
 from solver.geometry.cross_products import area_vectors
+from solver.geometry.crossings import crossed_triangles
 from solver.types import FloatArray, IntArray
 
 SEGMENTS = 48  # of the circle where the brush is smaller than a triangle
@@ -30,34 +32,21 @@ def brush_rim(
     triangles around the hit is a circle in the plane of its triangle, corners (3, 3).
     """
     reached, _ = neighbours.dab(positions, hit, radius)
-    faces = neighbours.faces_around(reached)
-    segments = _border(positions, faces, reached, hit.position, radius)
     alone = np.linalg.norm(positions[reached[0]] - hit.position) >= radius
-    if alone or len(segments) < FEWEST:
+    inside = np.zeros(len(positions), dtype=bool)
+    inside[reached] = True
+    crossed = crossed_triangles(neighbours.faces_around(reached), inside)
+    if alone or len(crossed) < FEWEST:
         return Outline.through(_circle(hit.position, corners, radius, camera), color)
-    normals = area_vectors(positions, faces)
-    crossed = _crossed(faces, reached)
-    towards = positions[faces[crossed, 0]] - camera.position
-    seen = (normals[crossed] * towards).sum(axis=1) < 0
-    return Outline(segments[seen], color)
+    normals = area_vectors(positions, crossed)
+    towards = positions[crossed[:, 0]] - camera.position
+    seen = crossed[(normals * towards).sum(axis=1) < 0]
+    return Outline(_border(positions, seen, hit.position, radius), color)
 
 
-def _crossed(faces: IntArray, reached: IntArray) -> IntArray:
-    """Which triangles have corners on both sides."""
-    inside = np.isin(faces, reached).sum(axis=1)
-    return np.flatnonzero((inside == 1) | (inside == 2))
-
-
-def _border(
-    X: FloatArray, faces: IntArray, reached: IntArray, centre: FloatArray, radius: float
-) -> FloatArray:
+def _border(X: FloatArray, crossed: IntArray, centre: FloatArray, radius: float) -> FloatArray:
     """(k, 2, 3) a segment for each triangle that the border crosses."""
-    corners = faces[_crossed(faces, reached)]
-    inside = np.isin(corners, reached)
-    # The corner that is alone on its side first: the border crosses both edges at it.
-    single = np.where(inside.sum(axis=1) == 1, inside.argmax(axis=1), inside.argmin(axis=1))
-    order = (single[:, None] + np.arange(3)) % 3
-    a, b, c = (X[v] for v in np.take_along_axis(corners, order, axis=1).T)
+    a, b, c = (X[corner] for corner in crossed.T)
     return np.stack([_meet(a, end, centre, radius) for end in (b, c)], axis=1)
 
 
@@ -80,8 +69,4 @@ def _circle(centre: FloatArray, corners: FloatArray, radius: float, camera: Came
     # A face without area has no plane: the circle faces the person.
     if not np.linalg.norm(normal) > 0:
         normal = camera.forward
-    one = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
-    one /= np.linalg.norm(one)
-    two = np.cross(normal / np.linalg.norm(normal), one)
-    angle = np.linspace(0, 2 * np.pi, SEGMENTS, endpoint=False)[:, None]
-    return np.asarray(centre + radius * (np.cos(angle) * one + np.sin(angle) * two))
+    return circle(centre, normal, radius, SEGMENTS)

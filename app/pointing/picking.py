@@ -8,6 +8,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from app.viewpoint.camera import Ray
+from solver.geometry.circles import across
 from solver.geometry.cross_products import cross
 from solver.types import FloatArray, IntArray
 
@@ -100,7 +101,7 @@ def _first(ray: Ray, X: FloatArray, faces: IntArray) -> tuple[int, FloatArray, f
     Seen along the ray, twice the signed areas that the ray makes with the edges have one sign.
     Two triangles find the same number for a common edge, up to its sign: no ray slips between.
     """
-    side, up = _across(ray.direction)
+    side, up = across(ray.direction)
     corners = X[faces] - ray.origin
     # Not by a matrix product: that may round a corner in one triangle and not in the next.
     x, y, depth = ((corners * axis).sum(axis=2) for axis in (side, up, ray.direction))
@@ -116,10 +117,3 @@ def _first(ray: Ray, X: FloatArray, faces: IntArray) -> tuple[int, FloatArray, f
         return None
     nearest = ahead[np.argmin(distances[ahead])]
     return int(met[nearest]), weights[nearest], float(distances[nearest])
-
-
-def _across(direction: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Two unit vectors across a direction and each other."""
-    side = np.cross(direction, np.eye(3)[np.argmin(np.abs(direction))])
-    side /= np.linalg.norm(side)
-    return side, np.cross(direction, side)

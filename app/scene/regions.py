@@ -10,7 +10,7 @@ import numpy as np
 
 from app.latest import Latest
 from app.model.document import Document
-from app.model.handles import FIRST_HANDLE, FIXED
+from app.model.handles import FIXED
 from app.scene.scene import Lines
 from solver.types import BoolArray, FloatArray, IntArray
 
@@ -52,16 +52,10 @@ class Regions:
 
     def __init__(self) -> None:
         self._borders: Latest[Borders] = Latest()
-        self._handles: Latest[IntArray] = Latest()
 
     def borders(self, document: Document) -> Borders:
         """Those of all regions; the same object as long as nothing has changed."""
         return self._borders(document.revision["role"], lambda: _borders(document))
-
-    def handle_vertices(self, document: Document) -> IntArray:
-        """(k,) the vertices of all handles; the same object as long as nothing has changed."""
-        version = document.revision["role"]
-        return self._handles(version, lambda: np.flatnonzero(document.role >= FIRST_HANDLE))
 
 
 def _borders(document: Document) -> Borders:

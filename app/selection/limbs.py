@@ -17,6 +17,7 @@ from scipy.sparse.csgraph import connected_components, dijkstra
 
 from solver.coarse.simplification import simplify
 from solver.geometry.cross_products import triangle_areas, vertex_areas
+from solver.geometry.crossings import crossed_triangles
 from solver.geometry.topology import Topology
 from solver.geometry.welding import welded_surface
 from solver.types import BoolArray, FloatArray, IntArray
@@ -113,13 +114,7 @@ class Limbs:
 
     def _border(self, inside: BoolArray, level: float) -> float:
         """How long the line is along which the level leaves a region."""
-        count = inside[self._faces].sum(axis=1)
-        faces = self._faces[(count == 1) | (count == 2)]
-        within = inside[faces]
-        # The corner that is alone on its side first: the line crosses both edges at it.
-        single = np.where(within.sum(axis=1) == 1, within.argmax(axis=1), within.argmin(axis=1))
-        order = (single[:, None] + np.arange(3)) % 3
-        a, b, c = np.take_along_axis(faces, order, axis=1).T
+        a, b, c = crossed_triangles(self._faces, inside).T
         ends = self._crossing(a, b, level) - self._crossing(a, c, level)
         return float(np.linalg.norm(ends, axis=1).sum())
 

@@ -6,7 +6,9 @@ from typing import ClassVar
 
 import numpy as np
 
+from app.model.handles import Pose
 from app.model.history import Gesture
+from app.tools.lateness import follow_late
 from app.viewpoint.camera import Ray
 from app.viewpoint.events import Input
 from app.workspace.workspace import Workspace
@@ -18,7 +20,10 @@ STILL = 1e-5  # in diagonals, far below a pixel: the cursor has not moved
 
 
 class Drag:
-    """Moves one handle by the point it was grabbed at. Waits while the solver is still binding.
+    """Moves one handle by the point it was grabbed at.
+
+    While the solver is still binding the handle keeps its orientation; it finds the one of least
+    energy when the bind is there, even if the drag is over by then.
 
     key: of the handle.  start: (3,) where it was grabbed.
     """
@@ -30,7 +35,7 @@ class Drag:
         self.key = key
         self.gesture = Gesture(work.document)
         self._done: tuple[object, ...] = ()
-        self._early = False  # the cursor has moved, and the solver is still binding
+        self._goal: FloatArray | None = None  # (3,) the last target, None before the first
         self._start = start
         self._normal = press.camera.forward
         self.hold(work.document.pose.of(key))
@@ -45,27 +50,36 @@ class Drag:
         target = None if frame.ray is None else self._target(frame.ray)
         if target is None:
             return
-        self._early = not work.surface.holds(self.key)
-        if self._early:
-            return
-        asked = (work.surface.bound, work.turn, *target)
+        turns = work.turn and not self.early
+        asked = (work.surface.bound, turns, *target)
         if asked == self._done:  # the cursor rests
             return
-        self._done = asked
-        transform = self._turned(target) if work.turn else self._shifted(target)
-        self.gesture.change("pose", work.posed(work.document.pose, {self.key: transform}))
+        self._done, self._goal = asked, target
+        transform = self._turned(self.key, target) if turns else self._shifted(target)
+        self.gesture.change("pose", self._posed(self.key, transform))
 
     def finish(self) -> None:
         """Keep the drag as one entry of the history."""
-        self.tell_early()
-        handle = self.work.document.find(self.key)
+        handle, early = self.work.document.find(self.key), self.gesture.started and self.early
         assert handle is not None
         self.work.history.record(self.gesture.finish(f"Drag {handle.name}"))
+        if early:
+            self.follow_later(self.key)
 
-    def tell_early(self) -> None:
-        """Say why nothing moved, where the drag was over before the bind."""
-        if self._early:
-            self.work.say("The solver was still binding: drag once more")
+    @property
+    def early(self) -> bool:
+        """Whether the solver has not bound the handle yet."""
+        return not self.work.surface.holds(self.key)
+
+    def follow_later(self, key: int) -> None:
+        """Tell it, and let the handle turn by itself when the bind is there."""
+        work, goal = self.work, self._goal
+
+        def turned() -> Pose:
+            assert goal is not None
+            return self._posed(key, self._turned(key, goal))
+
+        follow_late(work, [key], turned if work.turn and goal is not None else None)
 
     def cancel(self) -> None:
         """Put the handle back."""
@@ -81,9 +95,13 @@ class Drag:
         # A click must not turn the handle; a handle brought back to where it was may.
         return None if still and not self.gesture.started else target
 
-    def _turned(self, target: FloatArray) -> FloatArray:
+    def _posed(self, key: int, transform: FloatArray) -> Pose:
+        """With one handle elsewhere, and what mirrors it."""
+        return self.work.mirrored(self.work.document.pose.moved(key, transform), [key])
+
+    def _turned(self, key: int, target: FloatArray) -> FloatArray:
         work = self.work
-        return work.surface.orient(work.document, self.key, self._grabbed, target)
+        return work.surface.orient(work.document, key, self._grabbed, target)
 
     def _shifted(self, target: FloatArray) -> FloatArray:
         transform = self.work.document.pose.of(self.key).copy()

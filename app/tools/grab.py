@@ -10,6 +10,7 @@ import numpy as np
 from app.model.handles import FREE, GRAB
 from app.pointing.picking import Hit
 from app.tools.drag import Drag
+from app.tools.lateness import tell_early
 from app.viewpoint.events import Input
 from app.workspace.workspace import Workspace
 from solver.geometry.procrustes import rigid_motion
@@ -43,12 +44,16 @@ class Grab(Drag):
 
     def finish(self) -> None:
         """Let go, or leave a pin: after a click, and where grabs are kept."""
-        self.tell_early()
-        clicked = not self.gesture.started
-        transform = None if clicked else self.work.document.pose.of(GRAB)
+        work, clicked = self.work, not self.gesture.started
+        early = not clicked and self.early
+        transform = None if clicked else work.document.pose.of(GRAB)
         self.gesture.cancel()
-        if clicked or self.work.keep:
-            put_pin(self.work, self._core(), transform)
+        if clicked or work.keep:
+            key = put_pin(work, self._core(), transform)
+            if early:
+                self.follow_later(key)
+        elif early:
+            tell_early(work, "The solver was still binding, so nothing followed: grab once more")
 
     def _left_the_spot(self, frame: Input) -> bool:
         if frame.pixel is None or self._pixel is None:
@@ -70,8 +75,8 @@ class Grab(Drag):
         return np.sort(self._vertices[self._weights >= PIN * largest])
 
 
-def put_pin(work: Workspace, vertices: IntArray, transform: FloatArray | None) -> None:
-    """Vertices (k,) become a pin, at a transform (4, 4) or where they are on screen."""
+def put_pin(work: Workspace, vertices: IntArray, transform: FloatArray | None) -> int:
+    """Vertices (k,) become a pin, at a transform (4, 4) or where they are on screen; its key."""
     document = work.document
     handle = document.new_handle(pin=True)
     with work.edit(f"Put {handle.name}") as gesture:
@@ -80,7 +85,8 @@ def put_pin(work: Workspace, vertices: IntArray, transform: FloatArray | None) -
         placed = _fit(work, vertices) if transform is None else transform
         if not np.array_equal(placed, np.eye(4)):
             gesture.change("pose", document.pose.moved(handle.key, placed))
-    work.activate(handle.key)
+    work.chosen.activate(handle.key)
+    return handle.key
 
 
 def _fit(work: Workspace, vertices: IntArray) -> FloatArray:

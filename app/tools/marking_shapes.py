@@ -75,7 +75,7 @@ def _begin_limb(work: Workspace, press: Input, marks: Marks) -> Interaction | No
     if hit is None:
         return None
     done = marks.marked(work) != press.shift
-    for limb in work.limbs_at(hit.vertex).around(hit.vertex):
+    for limb in work.limbs.at(hit.vertex).around(hit.vertex):
         if not done[limb].all():
             return Mark(work, press, marks, np.flatnonzero(limb))
     work.say("There is no limb to take here, or no larger one: click nearer to a tip")

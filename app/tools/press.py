@@ -21,7 +21,7 @@ def begin_drag(work: Workspace, press: Input) -> Interaction | None:
     near = near_handle(work, press, NEAR_HANDLE)
     if near is not None:
         key, point = near
-        work.activate(key, alone=False)
+        work.chosen.activate(key, alone=False)
         return Drag(work, press, key, point)
     hit = work.under(press)
     if hit is None:

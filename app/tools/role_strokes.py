@@ -88,7 +88,7 @@ def _handle_paint(work: Workspace, erase: bool, gesture: Gesture) -> Paint:
     if handle is None or handle.pin:  # a pin stays the spot that it is
         handle = work.document.new_handle()
         gesture.change("handles", (*work.document.handles, handle))
-    work.activate(handle.key)
+    work.chosen.activate(handle.key)
     return HandlePaint(work, handle.key)
 
 

@@ -15,5 +15,5 @@ def begin_select(work: Workspace, press: Input, hit: Hit) -> Interaction | None:
     handle = work.document.find(int(work.document.role[hit.vertex]))
     if handle is None or not press.ctrl:
         return None
-    work.select(handle.key)
+    work.chosen.select(handle.key)
     return HeldPress()

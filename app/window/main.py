@@ -24,7 +24,7 @@ from app.viewpoint.camera import Camera
 from app.window.file_dialogs import FileDialogs
 from app.window.messages import Messages, overlay
 from app.window.mouse_and_keys import read_mouse, read_shortcuts
-from app.window.overlay import draw_overlay
+from app.window.overlay import OverlayDrawer
 from app.window.panel import WIDTH, Panel
 from app.window.panel.file_rows import FileRows
 from app.window.panel.looking import LookingRows
@@ -88,7 +88,7 @@ class Window:
     def __init__(self, editor: Editor, remembered: Remembered) -> None:
         self._editor = editor
         self._remembered = remembered
-        self._view = View()
+        self._view, self._drawer = View(), OverlayDrawer()
         self._looked: Camera | None = None
         self._studio = Studio(editor, self._view)
         program = find_program() if remembered.file.values.dialogs else None
@@ -164,7 +164,7 @@ class Window:
             view.look(self._looked, editor.viewpoint.reach)
         scene = editor.scene(self._rest)
         view.show(scene)
-        draw_overlay(scene.overlay, camera)
+        self._drawer.draw(scene.overlay, camera)
         self._overlay()
 
     def _answered(self) -> list[c.Command]:

@@ -7,6 +7,7 @@ from typing import ClassVar, Literal, Protocol
 
 from app.model.history import Entry
 from app.viewpoint.events import Input
+from app.workspace.chosen import Choice
 
 
 @dataclass(frozen=True)
@@ -20,11 +21,10 @@ class Message:
 
 @dataclass(frozen=True)
 class Moment:
-    """top: the last entry of the history.  active, selected: the keys of handles."""
+    """top: the last entry of the history.  choice: of handles."""
 
     top: Entry | None
-    active: int | None
-    selected: frozenset[int]
+    choice: Choice
 
 
 class Interaction(Protocol):

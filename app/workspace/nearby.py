@@ -27,13 +27,10 @@ def near_handle(work: Workspace, frame: Input, reach: float) -> tuple[int, Float
     document, hit = work.document, work.under(frame)
     if hit is not None and document.role[hit.vertex] >= FIRST_HANDLE:
         return int(document.role[hit.vertex]), hit.position
-    vertices = work.regions.handle_vertices(document)
-    vertices = vertices[work.parts.visible[vertices]]
-    away = frame.camera.project(work.positions[vertices]) - frame.pixel
-    distance = np.hypot(*away.T)
-    if not (distance <= reach).any():
+    seen = work.seen_handles.by(frame.camera, document, work.parts, work.surface)
+    nearest = seen.nearest(frame.pixel, reach)
+    if nearest is None:
         return None
-    nearest = int(vertices[np.nanargmin(distance)])
     point = work.positions[nearest]
     return (int(document.role[nearest]), point) if _seen(work, frame, point) else None
 

@@ -9,10 +9,9 @@ import numpy as np
 
 from app.latest import Latest
 from app.model.document import Document
-from app.model.handles import FREE
+from app.model.handles import FREE, rotation_of
 from app.viewpoint.camera import Camera
 from solver.geometry.motions import moved
-from solver.geometry.procrustes import procrustes
 from solver.types import FloatArray, IntArray
 
 AXES = ("world", "local", "view")
@@ -75,11 +74,6 @@ class Pivots:
         """The vertices of a handle with a free neighbour."""
         own, free = role[self._edges] == key, role[self._edges] == FREE
         return np.unique(self._edges[own & free[:, ::-1]])
-
-
-def rotation_of(transform: FloatArray) -> FloatArray:
-    """R, (3, 3): the rotation nearest to the linear part of a transform (4, 4)."""
-    return procrustes(transform[:3, :3].T)
 
 
 def axes_of(name: str, transform: FloatArray, camera: Camera) -> FloatArray:

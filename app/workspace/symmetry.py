@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 
 import numpy as np
 
+from app.latest import Latest
 from app.model.document import Document
 from app.model.handles import FIRST_HANDLE, Pose
 from app.pointing.picking import Hit
@@ -39,6 +41,7 @@ class Symmetry:
             np.maximum.at(longest, end, length)
         self.plane = plane
         self.partner = partners(V, plane, NEAR * longest)
+        self._handles: Latest[dict[int, int | None]] = Latest()
 
     def image(self, vertices: IntArray) -> IntArray:
         """The partners of vertices (k,), without repetition; those without one are left out."""
@@ -61,8 +64,14 @@ class Symmetry:
     def handle(self, document: Document, key: int) -> int | None:
         """The key of the handle that mirrors one, which may be itself; None where there is none.
 
-        It is the one that has most of the images of its vertices.
+        It is the one that has most of the images of its vertices; found again where roles differ.
         """
+        found = self._handles(document.revision["role"], dict)
+        if key not in found:
+            found[key] = self._handle(document, key)
+        return found[key]
+
+    def _handle(self, document: Document, key: int) -> int | None:
         roles = document.role[self.image(document.vertices_of(key))]
         held = roles[roles >= FIRST_HANDLE]
         if not len(held):
@@ -76,16 +85,32 @@ class Symmetry:
         S = self.plane.matrix
         return np.asarray(S @ T @ S)
 
+    def turn(self, turn: FloatArray) -> FloatArray:
+        """(3,) the mirror image of a turn, which goes round the other way."""
+        return np.asarray(-self.plane.matrix[:3, :3] @ turn)
+
+    def copied(self, pose: Pose, source: Pose, key: int, other: int) -> Pose:
+        """`pose` with handle `other` where the mirror image of handle `key` is in `source`."""
+        return pose.moved(other, self.transform(source.of(key)), self.turn(source.turn(key)))
+
+    def followed(self, document: Document, pose: Pose, keys: Collection[int]) -> Pose:
+        """The pose with what mirrors handles `keys` where the mirror images of these are."""
+        for key in keys:
+            other = self.handle(document, key)
+            if other is not None and other not in keys:
+                pose = self.copied(pose, pose, key, other)
+        return pose
+
     def mirrored(self, document: Document) -> tuple[Pose, list[int]]:
         """The mirror image of the pose, and the keys of moved handles that nothing mirrors."""
-        transforms, alone = {}, []
+        pose, alone = Pose(), []
         for key, T in document.pose.transforms.items():
             partner = self.handle(document, key)
             if partner is not None:
-                transforms[partner] = self.transform(T)
+                pose = self.copied(pose, document.pose, key, partner)
             elif not np.array_equal(T, np.eye(4)):
                 alone.append(key)
-        return Pose(transforms), alone
+        return pose, alone
 
 
 def plane_of(mesh: Mesh, name: str) -> Plane | None:

@@ -5,7 +5,7 @@ Editor adds the two ways in (`step` and `execute`); everything below it sees onl
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -20,18 +20,21 @@ from app.pointing.brush import Brush, Neighbours
 from app.pointing.picking import Hit, Picker
 from app.scene.looks import PLAIN, Looks
 from app.scene.regions import Regions
-from app.selection.limbs import Limbs
+from app.selection.piece_limbs import PieceLimbs
 from app.viewpoint.camera import Camera, Ray
 from app.viewpoint.events import Input
 from app.viewpoint.viewpoint import Viewpoint
 from app.worker.client import Worker
 from app.workspace.blend import Blend
+from app.workspace.chosen import ChosenHandles
 from app.workspace.heat import Heat
 from app.workspace.interaction import Interaction, Message, Moment
+from app.workspace.late import Late
 from app.workspace.marking import Marking
 from app.workspace.parts import Parts
 from app.workspace.placing import Pivots, Placing
 from app.workspace.recent import Recent
+from app.workspace.seen_handles import SeenHandles
 from app.workspace.symmetry import Symmetry
 from solver.mesh.progress import Progress
 from solver.types import FloatArray
@@ -45,13 +48,14 @@ class Workspace:
     tool: a name in tools.TOOLS.  map: a name in color_maps.MAPS.  turn: dragged handles turn by
     themselves.  keep: what was grabbed stays where it was taken.
     radii: of the brushes of the tools that are not in the hand.
-    placing: how handles are placed exactly.  blend: of two poses.
-    looks: how the surface is drawn.  recent: the files opened or saved last.
+    chosen: which handle is the active one.  placing: how handles are placed exactly.
+    blend: of two poses.  looks: how the surface is drawn.  recent: the files opened or saved last.
     symmetry: the mirror across which all happens twice, None for none.
     message: the last one, None before the first.  interaction: the stroke or drag in progress.
     progress: what is told how far reading and saving are.  viewpoint: where the person looks from.
     last_input: of the frame before.  export_path: where Export goes by default.  session_path: the
     session file last opened or saved.  written: the files that exports gave a name.
+    late: what a drag owes that was over before the solver's bind had come.
     before_press: what there was before the mouse was pressed last.
     """
 
@@ -88,6 +92,7 @@ class Workspace:
         self.document = document
         self.session_path = session_path
         self.history = History()
+        self.late = Late()
         self.surface = LiveSurface(document.rest_positions, self.worker, self._complain)
         self.neighbours = Neighbours(mesh.vertices, mesh.faces)
         self.pivots = Pivots(self.neighbours.edges)
@@ -100,11 +105,11 @@ class Workspace:
         self.symmetry_name = "off"
         self.picker = Picker(mesh.vertices, mesh.faces)
         self._under: Latest[Hit | None] = Latest()
+        self.seen_handles = SeenHandles()
         self._centres: Latest[dict[int, FloatArray]] = Latest()
-        self._limbs: dict[int, Limbs] = {}
+        self.limbs = PieceLimbs(mesh)
         self.last_input: Input | None = None
-        self._active = document.handles[0].key if document.handles else None
-        self._selected: frozenset[int] = frozenset()
+        self.chosen = ChosenHandles(document)
         self.before_press = self.moment
         self._diagonal = document.diagonal  # found now, not at the first stroke
         self.viewpoint.show(document.rest_positions[mesh.pieces >= 0])
@@ -139,15 +144,25 @@ class Workspace:
         if interaction is not None:
             interaction.cancel()
 
+    def catch_up(self) -> bool:
+        """Pay what is `late`, if that is possible by now; whether it was. Raises SolverError."""
+        return self.interaction is None and self.late.pay(self.document, self.history, self.surface)
+
+    def settle(self) -> None:
+        """Wait until the surface is what the document asks for. Raises SolverError."""
+        self.surface.settle(self.document)
+        if self.catch_up():
+            self.surface.settle(self.document)
+
     @property
     def moment(self) -> Moment:
         """What a second click comes back to."""
-        return Moment(self.history.top, self._active, self._selected)
+        return Moment(self.history.top, self.chosen.choice)
 
     def take_back(self, since: Moment) -> None:
         """Take the last entry back for good, if it is the only one made since."""
         if self.history.retract(self.document, since.top):
-            self._active, self._selected = since.active, since.selected
+            self.chosen.choice = since.choice
 
     @property
     def dragging(self) -> bool:
@@ -177,17 +192,9 @@ class Workspace:
         self.picker = Picker(self.document.mesh.vertices, self.parts.faces)
         self._under = Latest()
 
-    def posed(self, pose: Pose, transforms: Mapping[int, FloatArray]) -> Pose:
-        """A pose with some handles elsewhere, (4, 4) by key, and those that mirror them too."""
-        for key, T in transforms.items():
-            pose = pose.moved(key, T)
-        if self.symmetry is None:
-            return pose
-        for key, T in transforms.items():
-            other = self.symmetry.handle(self.document, key)
-            if other is not None and other not in transforms:
-                pose = pose.moved(other, self.symmetry.transform(T))
-        return pose
+    def mirrored(self, pose: Pose, keys: Collection[int]) -> Pose:
+        """The pose with what mirrors handles `keys` moved along, if there is a mirror."""
+        return self.symmetry.followed(self.document, pose, keys) if self.symmetry else pose
 
     @property
     def positions(self) -> FloatArray:
@@ -201,14 +208,6 @@ class Workspace:
         version = revision["role"], revision["rest"], revision["handles"]
         return self._centres(version, self.document.handle_centres)
 
-    def limbs_at(self, vertex: int) -> Limbs:
-        """Those of the piece that a vertex of a face belongs to, at rest; found once."""
-        mesh, piece = self.document.mesh, int(self.document.mesh.pieces[vertex])
-        if piece not in self._limbs:
-            own = mesh.faces[mesh.pieces[mesh.faces[:, 0]] == piece]
-            self._limbs[piece] = Limbs(mesh.vertices, own)
-        return self._limbs[piece]
-
     def brush_radius(self, point: FloatArray, camera: Camera) -> float:
         """In world units, of a brush at a point of the surface."""
         return self.brush.radius * self.brush_unit(point, camera)
@@ -221,39 +220,13 @@ class Workspace:
 
     @property
     def active(self) -> Handle | None:
-        """The handle the handle brush paints: the one chosen, else the last; None without any."""
-        handles = self.document.handles
-        return self.document.find(self._active) or (handles[-1] if handles else None)
-
-    def activate(self, key: int, alone: bool = True) -> None:
-        """Choose the active handle.
-
-        alone: select no other; else a selection that holds it stays.
-        """
-        if alone or key not in self._selected:
-            self._selected = frozenset()
-        self._active = key
+        """The handle that the handle brush paints, see ChosenHandles."""
+        return self.chosen.active
 
     @property
     def selected(self) -> tuple[Handle, ...]:
         """The handles that are placed together, the active one first."""
-        active = self.active
-        if active is None:
-            return ()
-        others = (handle for handle in self.document.handles if handle.key in self._selected)
-        return (active, *(handle for handle in others if handle != active))
-
-    def select(self, key: int) -> None:
-        """Add a handle to the selection, and make it the active one; or take it out.
-
-        The last one stays selected.
-        """
-        keys = [handle.key for handle in self.selected]
-        if key not in keys:
-            keys.insert(0, key)
-        elif len(keys) > 1:
-            keys.remove(key)
-        self._active, self._selected = keys[0], frozenset(keys)
+        return self.chosen.selected
 
     @property
     def pivot(self) -> FloatArray | None:

@@ -154,7 +154,10 @@ def state(document: Document) -> tuple[object, ...]:
         document.role.tobytes(),
         document.softness.tobytes(),
         document.handles,
-        document.pose.stacked(h.key for h in document.handles).tobytes(),
+        [
+            (document.pose.of(h.key).tobytes(), document.pose.turn(h.key).tobytes())
+            for h in document.handles
+        ],
         document.material,
         document.bending_length,
         document.orientation,

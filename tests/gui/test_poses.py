@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from app.demo import DRAG
 from solver import Deformer, load_mesh
@@ -11,6 +12,7 @@ from solver.types import FloatArray
 
 from .person import wait_until
 from .scene import Scene, positions
+from .test_acts import CHEST, LEFT_HAND, RIGHT_HAND
 
 
 def keep(scene: Scene, name: str) -> None:
@@ -82,6 +84,39 @@ def test_all_poses_are_exported_while_the_one_on_screen_stays(ready: Scene) -> N
     for file in files:
         np.testing.assert_allclose(load_mesh(file).vertices, bent, atol=1e-6)
     np.testing.assert_array_equal(transform(scene), np.eye(4))
+
+
+def test_an_arm_is_posed_and_the_button_poses_the_other_as_its_mirror_image(
+    mannequin: Scene,
+) -> None:
+    scene, person = mannequin, mannequin.person
+    person.key("5")
+    for place in (CHEST, LEFT_HAND, RIGHT_HAND):
+        scene.stroke(place)  # a click each puts a pin
+    scene.save_mesh()  # which waits for the bind
+    scene.stroke(LEFT_HAND, (0.65, 1.75, 0.02))
+    left, before = positions(scene.save_mesh()), scene.save_session()
+    person.open_section("Mirror", "Mirror pose")
+    person.choose("Mirror pose")
+    right, after = positions(scene.save_mesh()), scene.save_session()
+
+    _, raised, other = (np.array(pin["transform"]) for pin in before["pins"])
+    _, lowered, image = (np.array(pin["transform"]) for pin in after["pins"])
+    np.testing.assert_array_equal(other, np.eye(4))
+    np.testing.assert_array_equal(lowered, np.eye(4))
+    across = np.diag([-1.0, 1.0, 1.0, 1.0])
+    np.testing.assert_allclose(image, across @ raised @ across, atol=0.01)
+    turn, mirrored = before["pins"][1]["turn"], after["pins"][2]["turn"]
+    np.testing.assert_allclose(mirrored, np.multiply(turn, [1, -1, -1]), atol=0.01)
+
+    partner = cKDTree(scene.rest).query(scene.rest * [-1, 1, 1])[1]
+    went = (left - scene.rest) * [-1, 1, 1]
+    assert np.linalg.norm(went, axis=1).max() > 0.3
+    off = np.linalg.norm((right - scene.rest)[partner] - went, axis=1)
+    assert np.sqrt((off**2).mean()) < 0.01
+    assert off.max() < 0.05
+    person.key("ctrl+z")
+    np.testing.assert_array_equal(positions(scene.save_mesh()), left)
 
 
 def test_the_rest_shape_is_seen_while_its_key_is_held_and_nothing_changes(ready: Scene) -> None:

@@ -50,7 +50,7 @@ def change_marks(work: Workspace, command: c.ChangeMarks) -> None:
 def find_limbs(work: Workspace, command: c.FindLimbs) -> None:
     shown = [part for part in work.parts.all if part.number not in work.parts.hidden]
     largest = max(shown, key=lambda part: part.count)
-    work.limbs_at(int(np.flatnonzero(work.document.mesh.pieces == largest.number)[0]))
+    work.limbs.at(int(np.flatnonzero(work.document.mesh.pieces == largest.number)[0]))
 
 
 MARK_ACTIONS: Actions = {c.ChangeMarks: change_marks, c.FindLimbs: find_limbs}

@@ -9,11 +9,12 @@ import numpy as np
 
 from app.editor import commands as c
 from app.editor.action import Actions, check_name, given
+from app.model.handles import rotation_of
 from app.model.settings import is_number
 from app.tools.gizmo.begin import begin_operator
 from app.tools.gizmo.pick import PickPivot
-from app.tools.gizmo.placement import label_of, placed
-from app.workspace.placing import AXES, PIVOTS, rotation_of
+from app.tools.gizmo.placement import follow_placed, label_of, placed
+from app.workspace.placing import AXES, PIVOTS
 from app.workspace.workspace import Workspace
 from solver.geometry.motions import from_euler_angles, motion
 from solver.types import FloatArray
@@ -64,6 +65,7 @@ def _place(work: Workspace, T: FloatArray, kind: str, axis: int) -> None:
     pose = placed(work, work.document.pose, T, kind)
     with work.edit(label, merge=f"{label} {axis}") as gesture:
         gesture.change("pose", pose)
+    follow_placed(work, work.selected, kind)
 
 
 def _pivot(work: Workspace) -> FloatArray:

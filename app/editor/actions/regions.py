@@ -15,7 +15,7 @@ def add_handle(work: Workspace, command: c.AddHandle) -> None:
     handle = work.document.new_handle(command.name.strip())
     with work.edit(f"Add {handle.name}") as gesture:
         gesture.change("handles", (*work.document.handles, handle))
-    work.activate(handle.key)
+    work.chosen.activate(handle.key)
 
 
 def rename_handle(work: Workspace, command: c.RenameHandle) -> None:
@@ -38,11 +38,11 @@ def remove_handle(work: Workspace, command: c.RemoveHandle) -> None:
 
 
 def activate_handle(work: Workspace, command: c.ActivateHandle) -> None:
-    work.activate(find_handle(work, command.key).key)
+    work.chosen.activate(find_handle(work, command.key).key)
 
 
 def select_handle(work: Workspace, command: c.SelectHandle) -> None:
-    work.select(find_handle(work, command.key).key)
+    work.chosen.select(find_handle(work, command.key).key)
 
 
 def clear_fixed(work: Workspace, command: c.ClearFixed) -> None:

@@ -15,16 +15,16 @@ from app.workspace.workspace import Workspace
 
 
 def make_rest(work: Workspace, command: c.MakeRest) -> None:
-    document, pose = work.document, work.document.pose
-    if pose.at_rest:
+    document = work.document
+    if document.pose.at_rest:
         raise c.CommandError("every handle is at rest: there is no other rest shape to make")
     for handle in document.handles:
-        if flattens(pose.of(handle.key)):
+        if flattens(document.pose.of(handle.key)):
             raise c.CommandError(
                 f"{handle.name} is flattened: from such a shape nothing leads back"
             )
-    work.surface.settle(document)
-    rest = document.new_rest(work.positions)
+    work.settle()
+    rest, pose = document.new_rest(work.positions), document.pose
     _set(work, "Make rest shape", rest, lambda other: seen_from(other, pose))
 
 

@@ -95,9 +95,7 @@ def _mirror_handle(work: Workspace, symmetry: Symmetry, gesture: Gesture, key: i
     other = document.new_handle(mirrored_name(handle.name), handle.pin)
     gesture.change("handles", (*document.handles, other))
     gesture.change("role", other.key, image)
-    gesture.change(
-        "pose", document.pose.moved(other.key, symmetry.transform(document.pose.of(key)))
-    )
+    gesture.change("pose", symmetry.copied(document.pose, document.pose, key, other.key))
 
 
 def _mirror_softness(work: Workspace, symmetry: Symmetry, gesture: Gesture) -> None:

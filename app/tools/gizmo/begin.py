@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
+import numpy as np
+
 from app.scene.overlay import NOTHING, Overlay
 from app.tools.gizmo.freedoms import TurnAbout, TurnFreely
 from app.tools.gizmo.placement import Placement, free_freedom
@@ -59,7 +63,13 @@ def _gizmo(work: Workspace, camera: Camera) -> Gizmo | None:
     pivot = work.pivot if shows else None
     if pivot is None or camera.depth(pivot) <= 0:
         return None
-    return Gizmo(pivot, _axes(work, camera), camera)
+    return _gizmo_at(tuple(pivot.tolist()), _axes(work, camera).tobytes(), camera)
+
+
+@lru_cache(maxsize=1)
+def _gizmo_at(pivot: tuple[float, ...], axes: bytes, camera: Camera) -> Gizmo:
+    """The same object as long as camera and handle rest."""
+    return Gizmo(np.array(pivot), np.frombuffer(axes).reshape(3, 3), camera)
 
 
 def _axes(work: Workspace, camera: Camera) -> FloatArray:

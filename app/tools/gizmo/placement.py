@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from app.model.handles import Handle, Pose
+from app.model.handles import NO_TURN, Handle, Pose
 from app.model.history import Gesture
 from app.scene.overlay import Label, Overlay
 from app.tools.gizmo.freedoms import (
@@ -19,11 +19,13 @@ from app.tools.gizmo.freedoms import (
 )
 from app.tools.gizmo.number import Number
 from app.tools.gizmo.shape import axis_line, turn_circle
+from app.tools.lateness import follow_late
 from app.viewpoint.camera import Camera, Pixel
 from app.viewpoint.events import Input
 from app.workspace.operator import Operator
 from app.workspace.placing import axes_of
 from app.workspace.workspace import Workspace
+from solver.geometry.turns import nearest_turn, turned_by
 from solver.types import FloatArray
 
 AxisFreedom = Callable[[FloatArray, FloatArray, str], Freedom]
@@ -63,6 +65,7 @@ class Placement(Operator):
         self._snaps = False
         self._camera = work.viewpoint.camera
         self._letter, self._times = "", 0
+        self._done: tuple[object, ...] = ()
 
     def move(self, frame: Input) -> None:
         """Follow the cursor, round values with Ctrl; while the camera moves it is not followed."""
@@ -88,7 +91,10 @@ class Placement(Operator):
 
     def finish(self) -> None:
         """Keep it as one entry of the history."""
+        moved = self._gesture.started
         self._work.history.record(self._gesture.finish(label_of(self._kind, self._handles)))
+        if moved:
+            follow_placed(self._work, self._handles, self._kind)
 
     def cancel(self) -> None:
         """Put the handles back."""
@@ -135,20 +141,53 @@ class Placement(Operator):
         return self._freedom, self._value
 
     def _apply(self) -> None:
-        freedom, value = self._result()
-        pose = self._before
+        work, (freedom, value) = self._work, self._result()
+        asked = (freedom, *value, work.surface.bound, work.placing.pivot, work.symmetry)
+        if asked == self._done:  # nothing has changed
+            return
+        self._done, pose = asked, self._before
         if value.any():
-            pose = placed(self._work, pose, freedom.motion(value), self._kind)
-        if pose != self._work.document.pose:
+            turn = np.radians(value) if self._kind == "Turn" else NO_TURN
+            pose = placed(work, pose, freedom.motion(value), self._kind, turn)
+        if pose != work.document.pose:
             self._gesture.change("pose", pose)
 
 
-def placed(work: Workspace, pose: Pose, T: FloatArray, kind: str) -> Pose:
-    """The pose with the selected handles moved by T (4, 4); turned ones may find their place."""
+def placed(
+    work: Workspace, pose: Pose, T: FloatArray, kind: str, turn: FloatArray | None = None
+) -> Pose:
+    """The pose with the selected handles moved by T (4, 4); turned ones may find their place.
+
+    turn: (3,) in radians, the way round to T; without one the shorter way.
+    """
     keys = [handle.key for handle in work.selected]
-    pose = work.posed(pose, {key: T @ pose.of(key) for key in keys})
-    follows = kind == "Turn" and work.placing.pivot == "free"
-    return work.surface.placed(pose, keys) if follows else pose
+    way = nearest_turn(T[:3, :3], NO_TURN) if turn is None else turn
+    for key in keys:
+        pose = pose.moved(key, T @ pose.of(key), turned_by(pose.turn(key), way))
+    pose = work.mirrored(pose, keys)
+    return _followed(work, pose, keys) if _follows(work, kind) else pose
+
+
+def follow_placed(work: Workspace, handles: Sequence[Handle], kind: str) -> None:
+    """Say so where the surface has yet to follow handles that were kept at a place before a bind.
+
+    Turned ones find their place when it is there.
+    """
+    keys = [handle.key for handle in handles if handle.key in work.handle_centres]
+    if not all(map(work.surface.holds, keys)):
+        pose = (lambda: _followed(work, work.document.pose, keys)) if _follows(work, kind) else None
+        follow_late(work, keys, pose)
+
+
+def _follows(work: Workspace, kind: str) -> bool:
+    return kind == "Turn" and work.placing.pivot == "free"
+
+
+def _followed(work: Workspace, pose: Pose, keys: Sequence[int]) -> Pose:
+    """Both sides of a mirror find their places together, and are mirror images afterwards."""
+    across = [work.symmetry.handle(work.document, key) for key in keys] if work.symmetry else []
+    both = {*keys, *(key for key in across if key is not None)}
+    return work.mirrored(work.surface.placed(pose, both), keys)
 
 
 def label_of(kind: str, handles: Sequence[Handle]) -> str:

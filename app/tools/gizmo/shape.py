@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from app.scene.overlay import Color, Fill, Outline, Overlay
 from app.tools.gizmo.freedoms import Freedom, MoveAlong, TurnAbout, TurnFreely
 from app.viewpoint.camera import Camera, Pixel
+from solver.geometry.circles import circle
 from solver.types import FloatArray
 
 RADIUS = 80.0  # pixels, of the rings
@@ -67,18 +69,27 @@ class Gizmo:
             *(self._ring(name, axis) for name, axis in named),
             self._ball(),
         )
+        self._overlays: dict[Part | None, Overlay] = {}
 
     def under(self, pixel: Pixel) -> Part | None:
         """The part under a pixel, None for none."""
-        (middle,) = self._camera.project(self._pivot[None])
+        lines, middle = self._pixels
         if not np.hypot(*(pixel - middle)) > MIDDLE * RADIUS:
             return None
-        away = [(part.rank, self._distance(part, pixel), part) for part in self.parts]
+        away = [
+            (part.rank, _distance(ends, pixel), part)
+            for part, ends in zip(self.parts, lines, strict=True)
+        ]
         near = [found for found in away if found[1] <= REACH]
         return min(near, key=lambda found: found[:2])[2] if near else None
 
     def overlay(self, hovered: Part | None = None) -> Overlay:
-        """All parts, what is far first, the hovered one bright and last."""
+        """All parts, what is far first, the hovered one bright and last; the same object again."""
+        if hovered not in self._overlays:
+            self._overlays[hovered] = self._drawn(hovered)
+        return self._overlays[hovered]
+
+    def _drawn(self, hovered: Part | None) -> Overlay:
         order = sorted(self.parts, key=lambda part: (part is hovered, -part.rank))
         far = (Outline(p.far, p.color(False), PLAIN, FAINT) for p in order if len(p.far))
         near = (
@@ -86,6 +97,13 @@ class Gizmo:
         )
         heads = (Fill(p.head, p.color(p is hovered)) for p in order if p.head is not None)
         return Overlay((*far, *near), fills=(*heads, self._dot()))
+
+    @cached_property
+    def _pixels(self) -> tuple[list[FloatArray], FloatArray]:
+        """(k, 2, 2) the near lines of each part as they are seen, and (2,) the pivot."""
+        near = [part.near.reshape(-1, 3) for part in self.parts]
+        lines = [self._camera.project(points).reshape(-1, 2, 2) for points in near]
+        return lines, self._camera.project(self._pivot[None])[0]
 
     def _seen_along(self, axis: FloatArray) -> bool:
         return abs(float(axis @ self._towards)) < END_ON
@@ -113,16 +131,15 @@ class Gizmo:
         circle = _circle(self._pivot, self._towards, DOT / RADIUS * self._size)
         return Fill(circle[:: CORNERS // 16, 0], BALL_COLOR)
 
-    def _distance(self, part: Part, pixel: Pixel) -> float:
-        """Pixels to the nearest line of a part; infinite where all of it is behind the camera."""
-        start, end = np.moveaxis(
-            self._camera.project(part.near.reshape(-1, 3)).reshape(-1, 2, 2), 1, 0
-        )
-        along = end - start
-        length2 = np.maximum((along**2).sum(axis=1), 1e-12)
-        t = np.clip(((pixel - start) * along).sum(axis=1) / length2, 0, 1)
-        away = np.linalg.norm(pixel - start - t[:, None] * along, axis=1)
-        return float(np.nanmin(away, initial=np.inf))
+
+def _distance(lines: FloatArray, pixel: Pixel) -> float:
+    """Pixels to the nearest of lines (k, 2, 2); infinite where all are behind the camera."""
+    start, end = np.moveaxis(lines, 1, 0)
+    along = end - start
+    length2 = np.maximum((along**2).sum(axis=1), 1e-12)
+    t = np.clip(((pixel - start) * along).sum(axis=1) / length2, 0, 1)
+    away = np.linalg.norm(pixel - start - t[:, None] * along, axis=1)
+    return float(np.nanmin(away, initial=np.inf))
 
 
 def axis_line(freedom: Freedom, pivot: FloatArray, reach: float) -> Iterator[Outline]:
@@ -142,9 +159,5 @@ def turn_circle(freedom: Freedom, pivot: FloatArray, camera: Camera) -> Iterator
 
 def _circle(pivot: FloatArray, axis: FloatArray, radius: float) -> FloatArray:
     """(CORNERS, 2, 3) the segments of a circle about an axis."""
-    side = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
-    side /= np.linalg.norm(side)
-    angle = np.linspace(0, 2 * np.pi, CORNERS, endpoint=False)
-    around = np.outer(np.cos(angle), side) + np.outer(np.sin(angle), np.cross(axis, side))
-    corners = pivot + radius * around
+    corners = circle(pivot, axis, radius, CORNERS)
     return np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)

@@ -7,9 +7,9 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
+from app.model.handles import rotation_of
 from app.window.panel.widgets import BUTTON_COLUMN, REST_OF_LINE, button_column
 from app.window.scaling import scaled
-from app.workspace.placing import rotation_of
 from solver.geometry.motions import euler_angles
 
 DEGREES_A_PIXEL = 0.5

@@ -9,14 +9,13 @@ from app.editor.commands import (
     ActivateHandle,
     AddHandle,
     ResetPose,
-    SetPlacing,
     SetSetting,
     SetTurn,
     Undo,
 )
 from app.model.handles import FIRST_HANDLE, FIXED, FREE
 from solver.geometry.bounding_box import diagonal
-from tests.app.person import IdleWorker, Person, slab, transforms
+from tests.app.person import Person, transforms
 from tests.app.tools.dragging import check_constraints, with_fake
 
 
@@ -84,18 +83,6 @@ def test_the_dragged_handle_becomes_the_active_one(ready: Person) -> None:
     assert ready.editor.active.key == first.key
 
 
-def test_a_drag_waits_for_the_bind_it_needs() -> None:
-    person = Person(slab(20, 4, 2.0), worker=IdleWorker())
-    person.use("handle", 1.6)
-    person.stroke([20, 0, 0], [20, 4, 0])
-    person.use("drag")
-    editor = person.editor
-    person.stroke([19, 2, 0], [16, 8, 0])
-    np.testing.assert_array_equal(transforms(editor.document)[0], np.eye(4))
-    assert [entry.label for entry in editor.history.done] == ["Paint handle 1"]
-    editor.close()
-
-
 def test_the_cursor_over_the_panel_holds_the_drag(ready: Person) -> None:
     ready.frame([19, 2, 0], "pd")
     ready.frame([18, 4, 0], "d")
@@ -156,15 +143,3 @@ def test_handles_without_vertices_are_no_obstacle(ready: Person) -> None:
     ready.stroke([19, 2, 0], [16, 8, 0])
     check_constraints(ready)
     assert (ready.editor.document.role == FIRST_HANDLE + 1).sum() == 0
-
-
-def test_a_drag_that_ends_before_the_bind_is_there_says_so() -> None:
-    person = Person(slab(20, 4, 2.0), worker=IdleWorker())
-    person.use("handle", 1.6)
-    person.stroke([20, 0, 0], [20, 4, 0])
-    person.use("drag")
-    person.do(SetPlacing(gizmo=False))
-    person.stroke([19, 2, 0], [16, 8, 0])
-    assert person.editor.document.pose.at_rest
-    assert person.editor.message is not None
-    assert "still binding" in person.editor.message.text

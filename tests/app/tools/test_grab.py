@@ -10,7 +10,7 @@ import pytest
 from app.editor import commands as c
 from app.model.handles import FIXED, FREE, GRAB
 from app.model.session import read_session, to_document
-from tests.app.person import IdleWorker, Person, slab, state
+from tests.app.person import Person, state
 
 
 @pytest.mark.parametrize("rigid", [0, 1, 4])
@@ -154,14 +154,3 @@ def test_a_stroke_may_begin_a_few_pixels_beside_the_surface(bar: Person) -> None
     bar.do(c.Undo())
     for _ in bar.hold([[23.0, 2, 0]]):
         assert not bar.editor.captures, "farther away the camera moves"
-
-
-def test_a_grab_that_ends_before_the_bind_is_there_says_so() -> None:
-    person = Person(slab(20, 4, 2.0), worker=IdleWorker())
-    person.use("handle", 1.6)
-    person.stroke([20, 0, 0], [20, 4, 0])
-    person.use("drag")
-    person.stroke([10, 2, 0], [10, 6, 0])
-    assert person.editor.document.pose.at_rest
-    assert person.editor.message is not None
-    assert "still binding" in person.editor.message.text

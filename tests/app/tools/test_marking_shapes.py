@@ -9,7 +9,7 @@ from app.bundled import DEFAULT_MESH
 from app.editor import commands as c
 from app.model.handles import FIRST_HANDLE, FIXED, FREE
 from app.scene.overlay import ERASING, NOTHING, PAINTING
-from app.workspace import workspace
+from app.selection import piece_limbs
 from solver import Mesh, load_mesh
 from solver.types import FloatArray
 from tests.app.person import Person, sheet, slab, state
@@ -208,7 +208,7 @@ def test_limbs_are_found_once_and_beforehand(
     figure: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     figure.do(c.FindLimbs())
-    monkeypatch.setattr(workspace, "Limbs", None)
+    monkeypatch.setattr(piece_limbs, "Limbs", None)
     figure.click([0.3, 1.42, 0.05])
     assert len(marked(figure, FIRST_HANDLE)) > 0
 

@@ -146,7 +146,7 @@ def test_two_clicks_beside_a_pin_make_one_handle_of_the_part(person: Person) -> 
     pin = person.editor.document.new_handle(pin=True)
     person.editor.document.change("handles", (*person.editor.document.handles, pin))
     person.editor.document.change("role", pin.key, np.array([20]))
-    person.editor.activate(pin.key)
+    person.editor.chosen.activate(pin.key)
     first = person.editor.document.handles[0].key
     count = (person.editor.document.role == first).sum()
     person.click(PLACES[2], 2)

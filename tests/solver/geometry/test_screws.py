@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from solver.geometry.motions import motion, moved, rotation, rotation_about
-from solver.geometry.screws import blended, screw
+from solver.geometry.screws import blended, screw, wound
 from solver.types import FloatArray
 
 AXIS = np.array([1.0, -2.0, 0.5])
@@ -117,3 +117,24 @@ def test_maps_that_flatten_or_mirror_have_something_between_too(
     for share in SHARES:
         expected = (1 - share) * np.eye(4) + share * B
         np.testing.assert_allclose(blended(np.eye(4), B, share), expected, atol=1e-9)
+
+
+@pytest.mark.parametrize("angle", [200.0, 269.0, 271.0, 360.0, 540.0, -725.0])
+def test_a_wound_motion_turns_evenly_all_the_way_and_ends_at_the_whole(angle: float) -> None:
+    turn = np.radians(angle) * AXIS / np.linalg.norm(AXIS)
+    D = motion(Rotation.from_rotvec(turn).as_matrix(), [0.3, 2.0, -1.0])
+    np.testing.assert_allclose(wound(D, 0.0, turn, [1, 2, 3]), np.eye(4), atol=1e-12)
+    np.testing.assert_allclose(wound(D, 1.0, turn, [1, 2, 3]), D, atol=1e-9)
+    for share in SHARES:
+        R = wound(D, share, turn, [1, 2, 3])[:3, :3]
+        np.testing.assert_allclose(R, Rotation.from_rotvec(share * turn).as_matrix(), atol=1e-9)
+
+
+@pytest.mark.parametrize("angle", [200.0, 260.0])
+def test_far_swings_keep_their_line_and_twists_their_centre(angle: float) -> None:
+    hinge = np.array([1.0, -1.0, 2.0])
+    turn = np.radians(angle) * AXIS / np.linalg.norm(AXIS)
+    half = wound(rotation_about(AXIS, angle, hinge), 0.5, turn, [5, 5, 5])
+    np.testing.assert_allclose(half, rotation_about(AXIS, angle / 2, hinge), atol=1e-9)
+    twist = wound(rotation_about(AXIS, 3 * angle, hinge), 0.5, 3 * turn, hinge)
+    np.testing.assert_allclose(twist, rotation_about(AXIS, 1.5 * angle, hinge), atol=1e-9)

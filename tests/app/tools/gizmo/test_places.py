@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 import numpy as np
+import pytest
 
 from app.editor import commands as c
-from app.model.handles import FREE, Handle
+from app.model.handles import FREE, Handle, Pose
+from app.scene.overlay import Overlay
+from app.viewpoint.camera import FIELD_OF_VIEW, Camera
+from app.viewpoint.events import Input
 from solver.geometry.motions import from_euler_angles, motion, moved, rotation, rotation_about
 from tests.app.person import Person, state, transforms
 from tests.app.tools.dragging import check_constraints
@@ -144,3 +150,44 @@ def test_a_transform_that_flattens_can_still_be_placed(ready: Person) -> None:
     ready.do(c.SetPlacing(axes="local"), c.SetRotation(0, (90.0, 0.0, 0.0)))
     (T,) = transforms(document)
     np.testing.assert_allclose(T[:3, :3], rotation([1, 0, 0], 90) @ flat[:3, :3], atol=1e-12)
+
+
+def test_a_place_that_follows_is_found_once_as_long_as_the_cursor_rests(
+    ready: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    surface, asked = ready.editor.surface, []
+    real = surface.placed
+
+    def counted(pose: Pose, keys: Collection[int]) -> Pose:
+        asked.append(keys)
+        return real(pose, keys)
+
+    monkeypatch.setattr(surface, "placed", counted)
+    ready.frame(BESIDE)
+    ready.do(c.SetPlacing(pivot="free"), c.TurnHandles())
+    for _ in range(4):
+        ready.frame(BESIDE, typed="")
+    assert not asked, "it is not turned yet"
+    type_in(ready, "z4")
+    for _ in range(4):
+        ready.frame(BESIDE, typed="")
+    assert len(asked) == 1
+    type_in(ready, "0\n")
+    assert len(asked) == 2
+
+
+def test_the_gizmo_is_made_anew_only_where_it_has_moved(ready: Person) -> None:
+    camera = Camera.look_at(ready.eye, ready.centre, FIELD_OF_VIEW, (1280, 800))
+
+    def seen() -> Overlay:
+        ready.editor.step(Input((5.0, 5.0), camera))
+        return ready.editor.cursor
+
+    first = seen()
+    assert seen() is first
+    ready.do(c.SetPosition(1, 6.0))
+    moved_up = seen()
+    assert moved_up is not first
+    assert moved_up.outlines[0].segments[..., 1].mean() > first.outlines[0].segments[..., 1].mean()
+    ready.do(c.SetPlacing(axes="local"), c.SetRotation(2, (0.0, 0.0, 30.0)))
+    assert seen() is not moved_up
