@@ -1,0 +1,71 @@
+"""The file of one window's unsaved work: wherever there is room for it."""
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+
+from app.unsaved.lock import Lock
+from app.unsaved.places import Kept, new_file, places
+from solver.errors import FileError, SolverError
+from solver.storage import write_atomically
+
+
+class UnsavedFile:
+    """None before the first write, and after `remove` or `release`.
+
+    moved: why it is not where the platform keeps such files; empty where it is.
+    """
+
+    def __init__(self) -> None:
+        self._held: tuple[Path, Lock] | None = None
+        self.moved = ""
+
+    @property
+    def path(self) -> Path | None:
+        """Where it is, None where there is none."""
+        return None if self._held is None else self._held[0]
+
+    def write(self, stem: str, data: bytes) -> Path:
+        """Over what it held before. stem: begins its name. Raises FileError."""
+        reasons: list[str] = []
+        if self._held is not None:
+            try:
+                write_atomically(self._held[0], data)
+                return self._held[0]
+            except SolverError as error:
+                reasons.append(str(error))
+        for folder in places():
+            try:
+                path, lock = new_file(folder, stem)
+            except OSError as error:
+                reasons.append(f"{folder}: {error.strerror}")
+                continue
+            try:
+                write_atomically(path, data)
+            except SolverError as error:
+                reasons.append(str(error))
+                lock.release()
+                continue
+            self.remove()
+            self._held, self.moved = (path, lock), "; ".join(reasons)
+            return path
+        raise FileError(f"unsaved work cannot be kept: {reasons[0]}")
+
+    def take(self, kept: Kept) -> None:
+        """This window goes on with that work; what it had before is left to others."""
+        self.release()
+        self._held = kept.path, kept.lock
+
+    def remove(self) -> None:
+        """Nothing in it is wanted any more."""
+        if self._held is not None:
+            with contextlib.suppress(OSError):
+                self._held[0].unlink(missing_ok=True)
+        self.release()
+
+    def release(self) -> None:
+        """Leave it to the next start."""
+        held, self._held = self._held, None
+        if held is not None:
+            held[1].release()
