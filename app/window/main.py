@@ -29,6 +29,7 @@ from app.window.panel import WIDTH, Panel
 from app.window.panel.file_rows import FileRows
 from app.window.panel.looking import LookingRows
 from app.window.progress_frames import ProgressFrames
+from app.window.question_box import draw_question
 from app.window.remembered import Remembered
 from app.window.scaling import scaled
 from app.window.shortcuts import SetInterface, WindowAction
@@ -148,12 +149,8 @@ class Window:
     def _frame(self) -> None:
         editor, view = self._editor, self._view
         editor.viewpoint.fit(ps.get_window_size(), scaled(WIDTH))
-        asked = [*read_shortcuts(editor.brush, editor.hears), *self._panel.draw(editor)]
-        asked += [open_command(path) for path in self._drops]
-        self._drops = []
         self._rest = False
-        asked += self._answered()
-        for command in asked:
+        for command in self._asked():
             self._do(command)
         mouse = read_mouse(editor.viewpoint.camera)
         # Nobody can paint or drag what is not seen: the mouse is the camera's meanwhile.
@@ -166,6 +163,18 @@ class Window:
         view.show(scene)
         draw_overlay(scene.overlay, camera)
         self._overlay()
+
+    def _asked(self) -> list[c.Command]:
+        """What a person asks for; where a question stands, no more than its answer does."""
+        editor = self._editor
+        asked = [*read_shortcuts(editor.brush, editor.hears), *self._panel.draw(editor)]
+        if editor.question is not None:
+            answer = draw_question(editor.question)
+            command = None if answer is None else editor.answer(answer)
+            return [] if command is None else [command]
+        asked += [open_command(path) for path in self._drops]
+        self._drops = []
+        return asked + self._answered()
 
     def _answered(self) -> list[c.Command]:
         """What the dialog that was open asks for, once it was answered."""

@@ -133,6 +133,15 @@ class Person:
         for command in commands:
             self.editor.execute(command)
 
+    def answer(self, label: str) -> None:
+        """Press the button of the question that stands."""
+        question = self.editor.question
+        assert question is not None, "nothing is asked"
+        (answer,) = (answer for answer in question.answers if answer.label == label)
+        command = self.editor.answer(answer)
+        if command is not None:
+            self.do(command)
+
     def ready_bar(self) -> None:
         """On `slab(20, 4, 2)`: the left end fixed, the right end a handle, bound."""
         self.use("fixed", 1.6)
