@@ -12,6 +12,8 @@ from app.editor.action import Actions
 from app.model.document import Document
 from app.model.session import read_session, to_document, write_session
 from app.model.settings import affordable_level
+from app.model.unsaved import content_of
+from app.unsaved.places import read_unsaved
 from app.workspace.workspace import Workspace
 from solver import load_mesh
 from solver.errors import SolverError
@@ -28,6 +30,18 @@ def open_session(work: Workspace, command: c.OpenSession) -> None:
     with _recent(work, command.path):
         work.adopt(load_document(None, command.path, work.progress), command.path)
     _announce(work, command.path)
+
+
+def continue_work(work: Workspace, command: c.ContinueWork) -> None:
+    """No file holds it: it is unsaved from the start."""
+    unsaved, described = read_unsaved(command.path), read_session(command.path)
+    path = Path(unsaved["mesh"])
+    mesh = load_mesh(path, work.progress)
+    session = Path(unsaved["session"]) if "session" in unsaved else None
+    work.adopt(to_document(described, mesh, path), session)
+    work.history.mark_unsaved()
+    same = content_of(mesh) == unsaved["content"]
+    work.say(f"Unsaved work on {path.name}" + ("" if same else ": the mesh has changed since"))
 
 
 def load_document(
@@ -115,6 +129,7 @@ def spare_mesh(work: Workspace, path: Path) -> None:
 FILE_ACTIONS: Actions = {
     c.OpenMesh: open_mesh,
     c.OpenSession: open_session,
+    c.ContinueWork: continue_work,
     c.SaveSession: save_session,
     c.Export: export,
 }

@@ -99,9 +99,7 @@ class Keeper:
         """
         with suppress(SolverError, OSError):  # it must not stand in the way of all else
             self._work.finish()
-        if self._thread is not None:
-            self._thread.join()
-            self._thread = None
+        self._wait()
         if self._failed is not None:
             self._failed, self._kept = None, NEVER
         if not self.unsaved:
@@ -124,6 +122,7 @@ class Keeper:
 
         kept: the work that it is, None for what some file has.
         """
+        self._wait()
         if kept is None:
             self._file.release()
         else:
@@ -133,6 +132,11 @@ class Keeper:
     def close(self) -> None:
         """Leave what is kept to the next start."""
         self._file.release()
+
+    def _wait(self) -> None:
+        if self._thread is not None:
+            self._thread.join()
+            self._thread = None
 
     @property
     def _stem(self) -> str:

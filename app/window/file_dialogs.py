@@ -37,6 +37,11 @@ class FileDialogs:
         """Whether there are dialogs."""
         return self._dialogs.available
 
+    @property
+    def asking(self) -> bool:
+        """Whether a dialog is open."""
+        return self._dialogs.open
+
     def forget(self) -> None:
         """Another document is open: none has been exported, and no dialog is about the last."""
         self._exported = None

@@ -22,6 +22,14 @@ class OpenSession(Command):
 
 
 @dataclass(frozen=True)
+class ContinueWork(Command):
+    """Go on with unsaved work that was kept in a file."""
+
+    notice: ClassVar[str] = "Loading ..."
+    path: Path
+
+
+@dataclass(frozen=True)
 class SaveSession(Command):
     """Without a path: the session that was opened, or one beside the mesh."""
 
