@@ -9,6 +9,7 @@ from pathlib import Path
 from app.bundled import ASSETS, writable
 from app.editor import commands as c
 from app.editor.action import Actions
+from app.editor.elsewhere import or_elsewhere
 from app.model.document import Document
 from app.model.session import read_session, to_document, write_session
 from app.model.settings import affordable_level
@@ -69,7 +70,7 @@ def open_command(path: Path) -> c.OpenMesh | c.OpenSession:
 def save_session(work: Workspace, command: c.SaveSession) -> None:
     path = command.path or default_session_path(work)
     spare_mesh(work, path)
-    with _recent(work, path):
+    with or_elsewhere(command, path), _recent(work, path):
         write_session(path, work.document)
     work.session_path = path
     work.history.mark_saved()
@@ -80,7 +81,7 @@ def export(work: Workspace, command: c.Export) -> None:
     path = command.path or default_export_path(work)
     spare_mesh(work, path)
     work.surface.settle(work.document)
-    with _recent(work, path):
+    with or_elsewhere(command, path), _recent(work, path):
         work.document.mesh.save(path, work.positions, progress=work.progress)
     work.say(f"Exported {path}")
 

@@ -19,6 +19,7 @@ from app.model.preferences import PROGRAM
 from app.model.schema import SessionError
 from app.model.unsaved import UNSAVED
 from app.unsaved.lock import Lock
+from solver.storage import remove_orphans
 
 PLACE = "SURFACE_DEFORMATION_STATE"  # an environment variable with another folder
 SUFFIX = ".json"
@@ -93,6 +94,7 @@ def clean_up() -> None:
                 kept.path.unlink()
         kept.lock.release()
     for folder in places():
+        remove_orphans(folder)
         _remove_locks(folder)
 
 

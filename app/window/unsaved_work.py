@@ -84,7 +84,9 @@ class UnsavedWork:
             print(error, file=sys.stderr)
         else:
             if kept is not None:
-                print(f"unsaved work is offered at the next start; it is kept in {kept}")
+                print(
+                    f"unsaved work is offered at the next start; it is kept in {kept}", flush=True
+                )
 
     def close(self) -> None:
         """Keep it, and leave it to the next start."""
