@@ -182,19 +182,28 @@ def test_a_lost_display(hasty: Path, tmp_path_factory: pytest.TempPathFactory) -
         person.leave()
 
 
-def test_a_solver_that_dies_takes_no_work_along(hasty: Path, open_window: Opener) -> None:
+def test_a_solver_that_always_dies_takes_no_work_along(hasty: Path, open_window: Opener) -> None:
     scene = opened(open_window, asset("mannequin.obj", hasty))
-    scene.person.key("2")
+    person = scene.person
+    person.key("2")
     scene.stroke((0.0, 1.2, 0.1))
-    scene.person.key("3")
-    for x in (0.8, 0.75, 0.7):
-        for solver in solvers(scene.person.process.pid):
+    person.key("3")
+    scene.stroke((0.8, 1.42, 0.03))
+    killed = set[int]()
+
+    def kill_another() -> bool:
+        found = solvers(person.process.pid)
+        for solver in found:
             os.kill(solver, signal.SIGKILL)
-        scene.stroke((x, 1.42, 0.03))
+        killed.update(found)
+        return len(killed) >= 3
+
+    wait_until(kill_another, what="the third solver to die")
     assert scene.save_session()["handles"][0]["vertices"]
     scene.stroke((0.65, 1.42, 0.03))
-    scene.person.process.kill() if autosaves(hasty) else scene.person.process.terminate()
-    ended(scene.person)
+    wait_until(lambda: bool(autosaves(hasty)), what="the autosave")
+    person.process.kill()
+    ended(person)
     assert offered()["handles"][0]["vertices"]
 
 
