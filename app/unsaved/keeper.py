@@ -45,12 +45,13 @@ class Keeper:
     def _begin(self) -> None:
         """Another document is open, as some file has it."""
         self._serial = self._work.document.serial
-        self._content = ""
         self._stepped = time.monotonic()
         self._pieces: Iterator[bytes] | None = None
         self._data: list[bytes] = []
         self._kept, self._dismissed = self._version, NEVER
         self._count()
+        self._content = "unknown"
+        self._behind(self._name_mesh)
 
     def _count(self) -> None:
         """From here: time, and steps of work."""
@@ -83,10 +84,7 @@ class Keeper:
         elif self._pieces is not None:
             self._write_down(self._pieces, max(SECONDS, SHARE * took))
         elif self._due(now):
-            if self._content:
-                self._freeze()
-            else:
-                self._behind(self._name_mesh)
+            self._write_down(self._freeze(), SECONDS)
 
     def hurry(self) -> None:
         """Something went wrong: keep what there is as soon as can be."""
@@ -105,7 +103,6 @@ class Keeper:
         if not self.unsaved:
             self._drop()
         elif self._file.path is None or self._version != self._kept or self._pieces is not None:
-            self._name_mesh()
             self._file.write(self._stem, b"".join(self._freeze()))
             self._pieces = None
         return self._file.path
@@ -161,7 +158,7 @@ class Keeper:
         return self._pieces
 
     def _name_mesh(self) -> None:
-        self._content = self._content or content_of(self._work.document.mesh)
+        self._content = content_of(self._work.document.mesh)
 
     def _pieces_of(self, document: Document, session: Path | None) -> Iterator[bytes]:
         mesh = str(document.path.resolve())

@@ -14,6 +14,7 @@ from app.window.file_dialogs import FileDialogs
 from app.window.leaving import LEAVING, Leaving
 from app.window.offers import OFFERS, Offers
 from solver.errors import SolverError
+from solver.storage import remove_orphans
 
 QUESTIONS = (*LEAVING, *OFFERS)
 
@@ -32,8 +33,11 @@ class UnsavedWork:
         )
 
     def offer(self) -> None:
-        """Ask about what windows before this one left."""
+        """Ask about what windows before this one left, and tidy up behind them."""
         clean_up()
+        for path in (self._editor.document.path, self._editor.session_path):
+            if path is not None:
+                remove_orphans(path.parent)
         self._offers.look()
 
     @contextmanager
