@@ -73,6 +73,8 @@ class Keeper:
         """Once a frame. Raises FileError where nothing can be kept anywhere."""
         now = time.monotonic()
         took, self._stepped = now - self._stepped, now
+        self._steps += self._work.history.top is not self._top
+        self._top = self._work.history.top
         if self._thread is not None:
             if not self._thread.is_alive():
                 self._thread = None
@@ -140,9 +142,6 @@ class Keeper:
         return self._work.document.path.stem
 
     def _due(self, now: float) -> bool:
-        if self._work.history.top is not self._top:
-            self._top = self._work.history.top
-            self._steps += 1
         if self._version == self._kept:
             return False
         if self._since is None:
