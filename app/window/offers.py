@@ -63,6 +63,11 @@ class Offers:
         self.close()
         return taken
 
+    def failed(self, command: c.Command) -> None:
+        """It opened nothing: the work stays for the next start."""
+        if isinstance(command, c.ContinueWork):
+            self.close()
+
     def close(self) -> None:
         """Leave the rest to the next start."""
         found, self._found = self._found, []

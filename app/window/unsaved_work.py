@@ -49,11 +49,11 @@ class UnsavedWork:
         opens = isinstance(command, c.OpenMesh | c.OpenSession | c.ContinueWork)
         kept, before = self._keeper.keep() if opens else None, self._editor.document
         yield
-        going_on = self._offers.gone_on_with(command)
         if self._editor.document is before:
-            if going_on is not None:
-                going_on.lock.release()
+            if self._editor.question is None:
+                self._offers.failed(command)
             return
+        going_on = self._offers.gone_on_with(command)
         self._keeper.follow(going_on)
         if kept is not None:
             self._editor.say(f"Unsaved work is kept in {kept}")
