@@ -38,8 +38,8 @@ def continue_work(work: Workspace, command: c.ContinueWork) -> None:
     unsaved, described = read_unsaved(command.path), read_session(command.path)
     path = Path(unsaved["mesh"])
     mesh = load_mesh(path, work.progress)
-    session = Path(unsaved["session"]) if "session" in unsaved else None
-    work.adopt(to_document(described, mesh, path), session)
+    work.adopt(to_document(described, mesh, path))
+    work.session_path = Path(unsaved["session"]) if "session" in unsaved else None
     work.history.mark_unsaved()
     same = content_of(mesh) == unsaved["content"]
     work.say(f"Unsaved work on {path.name}" + ("" if same else ": the mesh has changed since"))
