@@ -75,9 +75,9 @@ class Killer:
         """Kill a window that is at it."""
         process = self.start_window(task)
         time.sleep(random.uniform(0.0, MOMENT))
+        killed = time.time()
         process.kill()
         process.wait()
-        killed = time.time()
         done = [json.loads(line) for line in self._log.read_text().splitlines() if line[-1] == "]"]
         if task == "autosave":
             self._check_kept(done, killed)
