@@ -39,10 +39,12 @@ def test_what_cannot_be_opened_is_a_message(plate: Scene, tmp_path: Path) -> Non
     other.save(tmp_path / "b.obj", other.vertices)
     scene.stroke((14, 4, 0))
     person.key("ctrl+o")
+    person.wait_still()  # the field has the keyboard
     person.type("b.obj")  # in place of the name that is there
     person.key("Return")
     kept = tmp_path / "state"
     wait_until(lambda: bool([*kept.glob("plate-*.json")]), what="the unsaved stroke to be kept")
+    person.wait_still()  # what is pressed while it opens is not heard
     scene.session = tmp_path / "b.json"
     assert scene.save_session()["mesh"]["vertices"] == len(other.vertices)
     assert person.quit() == 0
