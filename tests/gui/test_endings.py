@@ -158,12 +158,21 @@ def test_ending_while_it_binds(hasty: Path, open_window: Opener) -> None:
     scene.person.key("2")
     scene.stroke((0.0, 1.2, 0.1))
     scene.person.key("3")
-    scene.stroke((0.8, 1.42, 0.03))  # from here it binds
+    for solver in solvers(scene.person.process.pid):
+        os.kill(solver, signal.SIGSTOP)  # a bind that takes for ever
+    scene.stroke((0.8, 1.42, 0.03))
+    wait_until(lambda: bool(painted_handles(hasty)), what="the handle")
     scene.person.process.terminate()
     assert ended(scene.person) == 0
     held = offered()
     assert held["fixed"]
     assert held["handles"][0]["vertices"]
+
+
+def painted_handles(folder: Path) -> list[Any]:
+    """The handles with vertices in what is kept so far."""
+    texts = [path.read_text() for path in autosaves(folder)]
+    return [h for text in texts for h in json.loads(text)["handles"] if h["vertices"]]
 
 
 def test_a_lost_display(hasty: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
@@ -201,7 +210,7 @@ def test_a_solver_that_always_dies_takes_no_work_along(hasty: Path, open_window:
     wait_until(kill_another, what="the third solver to die")
     assert scene.save_session()["handles"][0]["vertices"]
     scene.stroke((0.65, 1.42, 0.03))
-    wait_until(lambda: bool(autosaves(hasty)), what="the autosave")
+    wait_until(lambda: bool(painted_handles(hasty)), what="the handle")
     person.process.kill()
     ended(person)
     assert offered()["handles"][0]["vertices"]
