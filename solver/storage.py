@@ -27,7 +27,7 @@ def read_bytes(path: str | os.PathLike[str]) -> bytes:
         raise FileError(f"{path}: cannot be read: {_reason(error)}") from error
 
 
-def write_atomically(path: str | os.PathLike[str], data: bytes) -> None:
+def write_atomically(path: str | os.PathLike[str], data: bytes | bytearray) -> None:
     """Write beside the target, flush to the disk, then replace, and flush the folder too.
 
     A symbolic link is written through; an existing file keeps its permissions and its owner, and
@@ -54,7 +54,7 @@ def _check_target(target: Path) -> None:
         raise PermissionError("it is write-protected")
 
 
-def _replace(target: Path, data: bytes) -> None:
+def _replace(target: Path, data: bytes | bytearray) -> None:
     temporary = target.parent / f"{_prefix(os.getpid())}{uuid.uuid4().hex}.tmp"
     known = target.exists()
     try:

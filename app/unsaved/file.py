@@ -26,30 +26,26 @@ class UnsavedFile:
         """Where it is, None where there is none."""
         return None if self._held is None else self._held[0]
 
-    def write(self, stem: str, data: bytes) -> Path:
+    def write(self, stem: str, data: bytes | bytearray) -> Path:
         """Over what it held before. stem: begins its name. Raises FileError."""
         reasons: list[str] = []
         if self._held is not None:
-            try:
-                write_atomically(self._held[0], data)
-                return self._held[0]
-            except SolverError as error:
-                reasons.append(str(error))
-        for folder in places():
-            try:
-                path, lock = new_file(folder, stem)
-            except OSError as error:
-                reasons.append(f"{folder}: {error.strerror}")
-                continue
+            path, _ = self._held
             try:
                 write_atomically(path, data)
             except SolverError as error:
                 reasons.append(str(error))
-                lock.release()
-                continue
-            self.remove()
-            self._held, self.moved = (path, lock), "; ".join(reasons)
-            return path
+            else:
+                return path
+        for folder in places():
+            try:
+                anew = _written(folder, stem, data)
+            except (SolverError, OSError) as error:
+                reasons.append(str(error))
+            else:
+                self.remove()  # what is older than this
+                self._held, self.moved = anew, "; ".join(reasons)
+                return anew[0]
         raise FileError(f"unsaved work cannot be kept: {reasons[0]}")
 
     def take(self, kept: Kept) -> None:
@@ -69,3 +65,14 @@ class UnsavedFile:
         held, self._held = self._held, None
         if held is not None:
             held[1].release()
+
+
+def _written(folder: Path, stem: str, data: bytes | bytearray) -> tuple[Path, Lock]:
+    """A new file. Raises FileError or OSError."""
+    path, lock = new_file(folder, stem)
+    try:
+        write_atomically(path, data)
+    except SolverError:
+        lock.release()
+        raise
+    return path, lock

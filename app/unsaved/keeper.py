@@ -47,7 +47,7 @@ class Keeper:
         self._serial = self._work.document.serial
         self._stepped = time.monotonic()
         self._pieces: Iterator[bytes] | None = None
-        self._data: list[bytes] = []
+        self._data = bytearray()  # not a list: joining it would hold up everything else
         self._kept, self._dismissed = self._version, NEVER
         self._count()
         self._content = "unknown"
@@ -152,7 +152,7 @@ class Keeper:
         document = self._work.document.frozen()
         self._kept = self._version
         self._count()
-        self._data = []
+        self._data = bytearray()
         self._pieces = self._pieces_of(document, self._work.session_path)
         return self._pieces
 
@@ -174,11 +174,11 @@ class Keeper:
     def _write_down(self, pieces: Iterator[bytes], seconds: float) -> None:
         end = time.perf_counter() + seconds
         for piece in pieces:
-            self._data.append(piece)
+            self._data += piece
             if time.perf_counter() > end:
                 return
         self._pieces = None
-        data, self._data = self._data, []
+        data, self._data = self._data, bytearray()
         self._behind(lambda: self._write(self._stem, data))
 
     def _behind(self, work: Callable[[], None]) -> None:
@@ -186,9 +186,9 @@ class Keeper:
         self._thread = threading.Thread(target=work)
         self._thread.start()
 
-    def _write(self, stem: str, data: list[bytes]) -> None:
+    def _write(self, stem: str, data: bytearray) -> None:
         try:
-            self._file.write(stem, b"".join(data))
+            self._file.write(stem, data)
         except SolverError as error:
             self._failed = error
 
