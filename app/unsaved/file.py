@@ -40,7 +40,7 @@ class UnsavedFile:
         for folder in places():
             try:
                 anew = _written(folder, stem, data)
-            except (SolverError, OSError) as error:
+            except SolverError as error:
                 reasons.append(str(error))
             else:
                 self.remove()  # what is older than this
@@ -68,8 +68,11 @@ class UnsavedFile:
 
 
 def _written(folder: Path, stem: str, data: bytes | bytearray) -> tuple[Path, Lock]:
-    """A new file. Raises FileError or OSError."""
-    path, lock = new_file(folder, stem)
+    """A new file. Raises FileError."""
+    try:
+        path, lock = new_file(folder, stem)
+    except OSError as error:
+        raise FileError(f"{folder}: cannot be written to: {error.strerror or error}") from error
     try:
         write_atomically(path, data)
     except SolverError:

@@ -10,9 +10,36 @@ import json
 import sys
 import time
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
+
+from app.editor import commands as c
+from app.editor.actions import ACTIONS
+from app.editor.editor import Editor
 
 TASKS = "save", "export", "autosave"
+
+
+class Busy:
+    """What does the task once a frame, and writes down that it is done."""
+
+    def __init__(self, task: str, lines: TextIO) -> None:
+        self._task, self._lines = task, lines
+        self._number = 0
+
+    def act(self, editor: Editor) -> None:
+        """Answers what is asked, renames the handle, and saves."""
+        if editor.question is not None:
+            command = editor.answer(editor.question.answers[0])
+            if command is not None and type(command) in ACTIONS:
+                editor.execute(command)
+        if not editor.document.handles:
+            editor.execute(c.AddHandle())
+        self._number += 1
+        editor.execute(c.RenameHandle(editor.document.handles[0].key, str(self._number)))
+        editor.history.seal()
+        if self._task != "autosave":
+            editor.execute(c.SaveSession() if self._task == "save" else c.Export())
+        print(json.dumps([self._number, time.time()]), file=self._lines)
 
 
 def run(task: str, log: Path, mesh: Path) -> None:
@@ -20,40 +47,23 @@ def run(task: str, log: Path, mesh: Path) -> None:
     # Here, because the solver's process imports this module too and must not load a window.
     import polyscope as ps
 
-    from app.editor import commands as c
-    from app.editor.actions import ACTIONS
-    from app.editor.editor import Editor
     from app.window import main
 
-    editors: list[Any] = []
+    editors: list[Editor] = []
     adopt, tick = Editor.adopt, ps.frame_tick
-    number = 0
 
-    def watched(editor: Any, *arguments: Any) -> None:
+    def watched(editor: Editor, *arguments: Any) -> None:
         adopt(editor, *arguments)
         editors[:] = [editor]
 
-    def act(editor: Any) -> None:
-        nonlocal number
-        if editor.question is not None:
-            command = editor.answer(editor.question.answers[0]).command
-            if type(command) in ACTIONS:
-                editor.execute(command)
-        if not editor.document.handles:
-            editor.execute(c.AddHandle())
-        number += 1
-        editor.execute(c.RenameHandle(editor.document.handles[0].key, str(number)))
-        editor.history.seal()
-        if task != "autosave":
-            editor.execute(c.SaveSession() if task == "save" else c.Export())
-        print(json.dumps([number, time.time()]), file=lines)
-
-    def ticked() -> None:
-        tick()
-        if editors:
-            act(editors[0])
-
     with log.open("w", encoding="utf-8", buffering=1) as lines:
+        busy = Busy(task, lines)
+
+        def ticked() -> None:
+            tick()
+            for editor in editors:
+                busy.act(editor)
+
         vars(ps)["frame_tick"] = ticked
         setattr(Editor, "adopt", watched)  # noqa: B010 - a method is not to be assigned
         main.run_window(mesh, None, None)
