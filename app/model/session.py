@@ -17,6 +17,7 @@ from app.model import schema
 from app.model.document import Document
 from app.model.handles import FIXED, FREE, Handle
 from app.model.schema import SessionError
+from app.model.session_mesh import MESH, PLACES, written_mesh, written_places
 from app.model.session_poses import POSES, handle_names, kept_poses, written_poses
 from app.model.settings import SETTINGS
 from solver.mesh.mesh import Mesh
@@ -47,10 +48,8 @@ SESSION = schema.fields(
     {
         "format": schema.that(lambda v: v == FORMAT, f'"{FORMAT}"'),
         "version": schema.that(lambda v: type(v) is int and v == VERSION, str(VERSION)),
-        "mesh": schema.fields(
-            {"path": schema.text, "vertices": schema.count, "faces": schema.count},
-            required=("path",),
-        ),
+        "mesh": MESH,
+        "places": PLACES,
         "fixed": schema.list_of(schema.count),
         "handles": schema.list_of(_HANDLE),
         "pins": schema.list_of(_HANDLE),
@@ -114,11 +113,7 @@ def write_session(path: Path, document: Document) -> None:
     data: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
-        "mesh": {
-            "path": _relative(document.path, path),
-            "vertices": len(mesh.vertices),
-            "faces": len(mesh.faces),
-        },
+        "mesh": {"path": _relative(document.path, path), **written_mesh(mesh)},
         "fixed": document.fixed.tolist(),
         "handles": [_handle(document, h, names) for h in document.handles if not h.pin],
         "material": vars(material) if isinstance(material, Material) else material,
@@ -132,6 +127,8 @@ def write_session(path: Path, document: Document) -> None:
         data["poses"] = written_poses(document)
     if document.softness.any():
         data["softness"] = document.softness.tolist()
+    if places := written_places(document):
+        data["places"] = places
     lines = [f" {json.dumps(key)}: {json.dumps(data[key], allow_nan=False)}" for key in data]
     write_atomically(path, ("{\n" + ",\n".join(lines) + "\n}\n").encode())
 

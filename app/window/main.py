@@ -16,7 +16,8 @@ from app.dialogs.dialogs import Dialogs
 from app.dialogs.programs import find_program
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.editor.file_actions import load_document, open_command
+from app.editor.file_actions import open_command
+from app.editor.start import open_editor
 from app.editor.unsaved import keep_unsaved
 from app.model.preferences import PreferencesFile, preferences_path
 from app.signals import told_to_end
@@ -61,7 +62,7 @@ def _run(worker: Worker, mesh: Path | None, session: Path | None, export: Path |
     for _ in range(2):  # the first frame of a window may come before it is shown
         ps.frame_tick()
     told = ProgressFrames(c.OpenMesh.notice, lambda: None)
-    editor = Editor(load_document(mesh, session, told), worker, session, export)
+    editor = open_editor(mesh, session, worker, export, told)
     if editor.document.handles:  # everything is ready for it
         editor.execute(c.SetTool("drag"))
     window = Window(editor, remembered)
@@ -102,6 +103,8 @@ class Window:
         self._drops: list[Path] = []
         self._rest = False  # whether this frame shows the rest shape
         self._document = editor.document.serial
+        self._kept: Path | None = None  # where the work of the last document is
+        editor.leaving = self._keep
         remembered.attach(editor)
 
     def frame(self) -> None:
@@ -195,16 +198,18 @@ class Window:
             self._execute(command)
 
     def _execute(self, command: c.Command) -> None:
-        """Raises FileError where that would lose unsaved work."""
-        opens = isinstance(command, c.OpenMesh | c.OpenSession)
-        kept = keep_unsaved(self._editor) if opens else None
+        self._kept = None
         self._editor.execute(command)
         if self._document != self._editor.document.serial:
             self._document = self._editor.document.serial
             self._panel.file_rows.forget()
             self._dialogs.forget()
-            if kept is not None:
-                self._editor.say(f"Unsaved work is kept in {kept}")
+            if self._kept is not None:
+                self._editor.say(f"Unsaved work is kept in {self._kept}")
+
+    def _keep(self) -> None:
+        """Another document is about to be shown. Raises FileError: it is not, then."""
+        self._kept = keep_unsaved(self._editor)
 
     def _act(self, name: str) -> None:
         """Raises SolverError."""

@@ -1,0 +1,45 @@
+"""The editor that a window begins with, and what it asks first."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from app.editor import commands as c
+from app.editor.editor import Editor
+from app.editor.file_actions import load_document
+from app.editor.opening import session_beside, to_carry, to_continue, unusable
+from app.editor.question import Answer, Question
+from app.model.carrying import MeshChanged
+from app.model.session import Session
+from app.worker.client import Worker
+from solver.mesh.progress import Progress
+
+
+def open_editor(
+    mesh: Path | None,
+    session: Path | None,
+    worker: Worker,
+    export: Path | None = None,
+    progress: Progress | None = None,
+) -> Editor:
+    """A mesh, a session, or a session on another mesh; see load_document for what is raised.
+
+    A mesh that has a session beside it is open, and the editor asks whether to continue that. So
+    is the mesh of a session that has changed since, and the editor asks how to carry it over.
+    """
+    try:
+        document = load_document(mesh, session, progress)
+    except MeshChanged as changed:
+        assert session is not None
+        editor = Editor(load_document(changed.path, None, progress), worker, None, export)
+        editor.ask(to_carry(changed, c.OpenSession(session, changed.path)))
+        return editor
+    editor = Editor(document, worker, session, export)
+    beside = session_beside(document.path) if session is None else None
+    if isinstance(beside, Session):
+        question = to_continue(beside, document.path)
+        go_on, *_ = question.answers
+        editor.ask(Question(question.text, (go_on, Answer("Start fresh"))))
+    elif beside is not None:
+        editor.say(unusable(beside), "error")
+    return editor
