@@ -50,9 +50,9 @@ def by_numbers(session: Session, mesh: Mesh, path: Path) -> Document:
 def by_nearest(session: Session, mesh: Mesh, path: Path) -> Document:
     """Every vertex takes what the one had that was nearest to where it is now.
 
-    A handle that is the nearest of none gets the vertices nearest to it, if those are free. The
-    rest shape is the file's, and all pieces follow where some did: both are told by numbers.
-    Raises SessionError.
+    A handle that was nearest to none gets the free vertices nearest to it, no farther away than an
+    edge is long. The rest shape is the file's, and all pieces follow where some did: both are told
+    by numbers. Raises SessionError.
     """
     if "places" not in session.data:
         raise SessionError(f"{session.path}: places: missing, where the vertices were is not known")
@@ -92,11 +92,13 @@ def _on_any_mesh(session: Session) -> Session:
 
 
 def _keep_handles(document: Document, before: Document, places: FloatArray) -> None:
-    tree: cKDTree | None = None
+    mesh = document.mesh
+    tree, corners = cKDTree(mesh.vertices), mesh.vertices[mesh.faces]
+    edge = float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).mean())
     for handle in before.handles:
         old: IntArray = before.vertices_of(handle.key)
         if not len(old) or len(document.vertices_of(handle.key)):
             continue
-        tree = tree or cKDTree(document.mesh.vertices)
-        found = np.unique(tree.query(places[old])[1])
+        distances, near = tree.query(places[old])
+        found = np.unique(near[distances <= edge])
         document.change("role", handle.key, found[document.role[found] == FREE])

@@ -106,7 +106,7 @@ def _command(name: str, path: Path, editor: Editor, asked: bool = False) -> c.Co
     if name == "open":
         return open_command(path)
     if name == "export poses":
-        return c.ExportPoses(path, editor.blend.between)
+        return c.ExportPoses(path, editor.blend.between, asked)
     return c.SaveSession(path, asked) if name == "save" else c.Export(path, asked)
 
 
