@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from datetime import datetime
@@ -27,12 +28,25 @@ BECAME: dict[Change, str] = {
 
 
 def session_beside(mesh: Path) -> Session | SolverError | None:
-    """The session that saving would propose for a mesh, or why it cannot be read; None for none."""
-    path = writable(mesh.with_suffix(SUFFIX))
+    """The last session saved under the name of a mesh, or why it cannot be read; None for none."""
+    fault: SolverError | None = None
+    for path in _beside(writable(mesh.with_suffix(SUFFIX))):
+        try:
+            return read_session(path)
+        except SolverError as error:
+            fault = fault or error
+    return fault
+
+
+def _beside(path: Path) -> list[Path]:
+    """The sessions where saving would propose one, and where it would save beside that."""
+    name = re.compile(rf"{re.escape(path.stem)}(-\d+)?{re.escape(SUFFIX)}")
     try:
-        return read_session(path) if path.is_file() and is_session(path) else None
-    except (SolverError, OSError) as error:
-        return error if isinstance(error, SolverError) else None
+        named = [file for file in path.parent.iterdir() if name.fullmatch(file.name)]
+        found = [file for file in named if file.is_file() and is_session(file)]
+        return sorted(found, key=lambda file: file.stat().st_mtime_ns, reverse=True)
+    except (SolverError, OSError):  # the folder cannot be read, or something went away
+        return []
 
 
 def to_continue(session: Session, mesh: Path, aside: Answer = CANCEL) -> Question:

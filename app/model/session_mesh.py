@@ -10,8 +10,9 @@ from __future__ import annotations
 import base64
 import binascii
 import hashlib
-from functools import lru_cache
+from collections.abc import Callable
 from typing import Any, Literal
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -26,6 +27,8 @@ Carry = Literal["numbers", "nearest"]  # painting goes by the vertices' numbers,
 Change = Literal["joined", "moved", "other"]
 STEPS = 65535
 DIGEST = 16  # bytes
+_HASHES: WeakKeyDictionary[Mesh, dict[str, Any]] = WeakKeyDictionary()
+_PLACES: WeakKeyDictionary[Mesh, dict[str, Any]] = WeakKeyDictionary()
 
 _HASH = schema.fields(
     {"vertices": schema.text, "faces": schema.text}, required=("vertices", "faces")
@@ -62,11 +65,10 @@ def written_places(document: Document) -> dict[str, Any] | None:
     """What PLACES passes again; None where nothing is painted."""
     if not ((document.role != FREE).any() or document.softness.any()):
         return None
-    return _written_places(document.mesh)
+    return _known(_PLACES, document.mesh, _placed)
 
 
-@lru_cache(maxsize=1)  # of the mesh that is open: a session is saved again and again
-def _written_places(mesh: Mesh) -> dict[str, Any]:
+def _placed(mesh: Mesh) -> dict[str, Any]:
     low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
     shares = (mesh.vertices - low) / np.where(high > low, high - low, 1.0)
     points = np.rint(shares * STEPS).astype("<u2").tobytes()
@@ -80,9 +82,12 @@ def read_places(places: dict[str, Any]) -> FloatArray:
     return np.asarray(low + places["points"] / STEPS * (high - low))
 
 
-@lru_cache(maxsize=1)
-def mesh_hash(mesh: Mesh) -> dict[str, str]:
+def mesh_hash(mesh: Mesh) -> dict[str, Any]:
     """Of the positions, in single precision, and of the polygons over them."""
+    return _known(_HASHES, mesh, _hashed)
+
+
+def _hashed(mesh: Mesh) -> dict[str, Any]:
     positions = mesh.vertices.astype("<f4") + np.float32(0.0)  # no zero is negative
     outlines = mesh.outlines
     polygons = outlines.sizes.astype("<i4").tobytes() + outlines.corners.astype("<i4").tobytes()
@@ -112,6 +117,17 @@ def farthest(data: dict[str, Any], mesh: Mesh) -> float | None:
         return None
     distances, _ = cKDTree(read_places(data["places"])).query(mesh.vertices)
     return float(distances.max() / np.linalg.norm(np.ptp(mesh.vertices, axis=0)))
+
+
+def _known(
+    known: WeakKeyDictionary[Mesh, dict[str, Any]],
+    mesh: Mesh,
+    compute: Callable[[Mesh], dict[str, Any]],
+) -> dict[str, Any]:
+    """Computed once a mesh: its session is saved again and again."""
+    if mesh not in known:
+        known[mesh] = compute(mesh)
+    return known[mesh]
 
 
 def _digest(data: bytes) -> str:

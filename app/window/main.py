@@ -17,6 +17,7 @@ from app.dialogs.programs import find_program
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.editor.file_actions import open_command
+from app.editor.replacing import whole
 from app.editor.start import open_editor
 from app.editor.unsaved import keep_unsaved
 from app.model.preferences import PreferencesFile, preferences_path
@@ -205,7 +206,7 @@ class Window:
             self._panel.file_rows.forget()
             self._dialogs.forget()
             if self._kept is not None:
-                self._editor.say(f"Unsaved work is kept in {self._kept}")
+                self._editor.say(f"Unsaved work is kept in {whole(self._kept)}")
 
     def _keep(self) -> None:
         """Another document is about to be shown. Raises FileError: it is not, then."""

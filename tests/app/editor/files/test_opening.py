@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -66,6 +67,20 @@ def test_to_start_fresh_still_spares_the_session(left: Person, tmp_path: Path) -
     assert "bar.json is there already" in question_of(left)
     left.answer("Cancel")
     assert (tmp_path / "bar.json").read_bytes() == saved
+
+
+def test_the_last_one_of_several_is_continued(left: Person, tmp_path: Path) -> None:
+    left.do(c.OpenSession(tmp_path / "bar.json"), c.AddHandle("more"))
+    left.do(c.SaveSession(tmp_path / "bar-2.json"))
+    for name, hour in (("bar.json", 1), ("bar-2.json", 2), ("bar-x.json", 3)):
+        (tmp_path / name).touch()
+        os.utime(tmp_path / name, (3600 * hour,) * 2)
+    left.do(c.OpenMesh(tmp_path / "bar.obj"))
+    assert f"{tmp_path / 'bar-2.json'} holds work" in question_of(left)
+    left.answer("Cancel")
+    os.utime(tmp_path / "bar.json")
+    left.do(c.OpenMesh(tmp_path / "bar.obj"))
+    assert f"{tmp_path / 'bar.json'} holds work" in question_of(left)
 
 
 def test_a_session_of_another_mesh_says_so(left: Person, tmp_path: Path) -> None:
