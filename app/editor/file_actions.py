@@ -9,12 +9,19 @@ from pathlib import Path
 from app.bundled import is_bundled, writable
 from app.editor import commands as c
 from app.editor.action import Actions
-from app.editor.opening import carried_over, session_beside, to_carry, to_continue, unusable
+from app.editor.opening import (
+    Beside,
+    carried_over,
+    sessions_beside,
+    to_carry,
+    to_continue,
+    unusable,
+)
 from app.editor.question import Asks
 from app.editor.replacing import ask_before, check_mesh_files, check_session_file, whole
 from app.model.carrying import MeshChanged, on_mesh
 from app.model.document import Document
-from app.model.session import Session, read_session, write_session
+from app.model.session import read_session, write_session
 from app.model.session_mesh import Carry
 from app.model.settings import affordable_level
 from app.workspace.workspace import Workspace
@@ -24,14 +31,14 @@ from solver.mesh.progress import Progress
 
 
 def open_mesh(work: Workspace, command: c.OpenMesh) -> None:
-    beside = None if command.fresh else session_beside(command.path)
-    if isinstance(beside, Session):
-        raise Asks(to_continue(beside, command.path))
+    beside = Beside() if command.fresh else sessions_beside(command.path)
+    if beside.sessions:
+        raise Asks(to_continue(beside.sessions, command.path))
     with recent(work, command.path):
         work.adopt(load_document(command.path, None, work.progress))
     _announce(work, command.path)
-    if beside is not None:
-        work.say(unusable(beside), "error")
+    if beside.fault is not None:
+        work.say(unusable(beside.fault), "error")
 
 
 def open_session(work: Workspace, command: c.OpenSession) -> None:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
 
@@ -27,20 +27,35 @@ BECAME: dict[Change, str] = {
 }
 
 
-def session_beside(mesh: Path) -> Session | SolverError | None:
-    """The last session saved under the name of a mesh, or why it cannot be read; None for none."""
+@dataclass(frozen=True)
+class Beside:
+    """What lies beside a mesh. sessions: on it, the last one saved first.
+
+    fault: why one that is there cannot be read, None where all can.
+    """
+
+    sessions: tuple[Session, ...] = ()
     fault: SolverError | None = None
-    for path in _beside(writable(mesh.with_suffix(SUFFIX))):
+
+
+def sessions_beside(mesh: Path) -> Beside:
+    """The session where saving would propose one, and those with a number behind that name."""
+    proposed = writable(mesh.with_suffix(SUFFIX))
+    found, fault = list[Session](), None
+    for path in _named_like(proposed):
         try:
-            return read_session(path)
+            session = read_session(path)
         except SolverError as error:
             fault = fault or error
-    return fault
+            continue
+        if path == proposed or session.mesh_path.resolve() == mesh.resolve():
+            found.append(session)
+    return Beside(tuple(found), fault)
 
 
-def _beside(path: Path) -> list[Path]:
-    """The sessions where saving would propose one, and where it would save beside that."""
-    name = re.compile(rf"{re.escape(path.stem)}(-\d+)?{re.escape(SUFFIX)}")
+def _named_like(path: Path) -> list[Path]:
+    """The sessions of a name, with or without a number behind it, the last one saved first."""
+    name = re.compile(rf"{re.escape(path.stem)}(-\d+)?{re.escape(path.suffix)}")
     try:
         named = [file for file in path.parent.iterdir() if name.fullmatch(file.name)]
         found = [file for file in named if file.is_file() and is_session(file)]
@@ -49,18 +64,22 @@ def _beside(path: Path) -> list[Path]:
         return []
 
 
-def to_continue(session: Session, mesh: Path, aside: Answer = CANCEL) -> Question:
-    """Whether to open the session that lies beside a mesh.
+def to_continue(sessions: Sequence[Session], mesh: Path, opened: bool = False) -> Question:
+    """Whether to open the first of the sessions that lie beside a mesh.
 
-    aside: the last answer, which loses nothing.
+    opened: whether the mesh is open already, as it is.
     """
+    session, *others = sessions
     saved = datetime.fromtimestamp(session.path.stat().st_mtime).strftime(SAVED)
     text = f"{whole(session.path)} holds work of {saved}: {contents(session)}."
     if session.mesh_path.resolve() != mesh.resolve():
         text += f" It was saved of {whole(session.mesh_path)}."
+    if others:
+        text += f" Also there: {', '.join(other.path.name for other in others)}."
     go_on = Answer("Continue where you left off", c.OpenSession(session.path, mesh))
-    fresh = Answer("Start fresh", c.OpenMesh(mesh, fresh=True))
-    return Question(text, (go_on, fresh, aside))
+    if opened:
+        return Question(text, (go_on, Answer("Start fresh")))
+    return Question(text, (go_on, Answer("Start fresh", c.OpenMesh(mesh, fresh=True)), CANCEL))
 
 
 def contents(session: Session) -> str:

@@ -7,10 +7,8 @@ from pathlib import Path
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.editor.file_actions import load_document
-from app.editor.opening import session_beside, to_carry, to_continue, unusable
-from app.editor.question import Answer, Question
+from app.editor.opening import Beside, sessions_beside, to_carry, to_continue, unusable
 from app.model.carrying import MeshChanged
-from app.model.session import Session
 from app.worker.client import Worker
 from solver.mesh.progress import Progress
 
@@ -35,11 +33,9 @@ def open_editor(
         editor.ask(to_carry(changed, c.OpenSession(session, changed.path)))
         return editor
     editor = Editor(document, worker, session, export)
-    beside = session_beside(document.path) if session is None else None
-    if isinstance(beside, Session):
-        question = to_continue(beside, document.path)
-        go_on, *_ = question.answers
-        editor.ask(Question(question.text, (go_on, Answer("Start fresh"))))
-    elif beside is not None:
-        editor.say(unusable(beside), "error")
+    beside = sessions_beside(document.path) if session is None else Beside()
+    if beside.sessions:
+        editor.ask(to_continue(beside.sessions, document.path, opened=True))
+    elif beside.fault is not None:
+        editor.say(unusable(beside.fault), "error")
     return editor

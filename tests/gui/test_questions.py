@@ -46,6 +46,7 @@ def test_a_reopened_mesh_goes_on_where_it_was_left_and_spares_what_it_did_not_op
     assert json.loads(aside.read_text())["fixed"] == []
     assert plate.session.read_bytes() == saved
     assert person.quit() == 0
+    aside.unlink()
 
     again = opened(open_window, tmp_path / "plate.obj")
     again.person.choose("Continue where you left off")

@@ -77,10 +77,20 @@ def test_the_last_one_of_several_is_continued(left: Person, tmp_path: Path) -> N
         os.utime(tmp_path / name, (3600 * hour,) * 2)
     left.do(c.OpenMesh(tmp_path / "bar.obj"))
     assert f"{tmp_path / 'bar-2.json'} holds work" in question_of(left)
+    assert question_of(left).endswith("Also there: bar.json.")
     left.answer("Cancel")
     os.utime(tmp_path / "bar.json")
     left.do(c.OpenMesh(tmp_path / "bar.obj"))
     assert f"{tmp_path / 'bar.json'} holds work" in question_of(left)
+
+
+def test_a_session_of_another_mesh_with_a_number_is_none_of_this_one(
+    left: Person, tmp_path: Path
+) -> None:
+    left.editor.document.mesh.save(tmp_path / "bar-2.obj", left.editor.positions)
+    left.do(c.OpenMesh(tmp_path / "bar-2.obj"), c.SaveSession())
+    left.do(c.OpenMesh(tmp_path / "bar.obj"))
+    assert "bar-2" not in question_of(left)
 
 
 def test_a_session_of_another_mesh_says_so(left: Person, tmp_path: Path) -> None:
