@@ -65,6 +65,11 @@ def _window(arguments: Sequence[str]) -> None:
         mesh, session = None, mesh
     if mesh is None and session is None:
         session = DEFAULT_SESSION
+    if options.export is not None:  # what else is there the window asks about
+        from app.model.outputs import check_outputs
+
+        inputs = [path for path in (mesh, session) if path is not None]
+        check_outputs([options.export], True, inputs)
     # Polyscope is loaded here, so that the commands without a window need no graphics library.
     with loading():
         from app.window.main import run_window

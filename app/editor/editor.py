@@ -75,8 +75,8 @@ class Editor(Workspace):
 
     def ask(self, question: Question) -> None:
         """Put a question, in place of the one that stands; a stroke or drag in progress ends."""
-        self.finish()
         self.question = question
+        self.finish()
 
     def answer(self, answer: Answer) -> Command | None:
         """Take the question away; returns what is to be done now."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-FileState = tuple[int, int, int]  # its number on the disk, when it was written in ns, its length
+FileState = tuple[int, int]  # when it was written, in ns, and how long it is
 
 
 class OwnFiles:
@@ -32,4 +32,4 @@ class OwnFiles:
 
 def _state(path: Path) -> FileState:
     found = path.stat()
-    return found.st_ino, found.st_mtime_ns, found.st_size
+    return found.st_mtime_ns, found.st_size

@@ -55,6 +55,14 @@ def test_a_mesh_never_replaces_a_session(capsys: pytest.CaptureFixture[str]) -> 
     assert "other.obj is a session" in refused(capsys, *DEFORM, "other.obj", "--force")
 
 
+@pytest.mark.parametrize("words", [("bar.obj",), ("--session", "bar.json")])
+def test_a_window_is_not_opened_to_export_over_what_it_opens(
+    words: tuple[str, ...], capsys: pytest.CaptureFixture[str]
+) -> None:
+    line = refused(capsys, *words, "--export", words[-1])
+    assert f"{words[-1]} is what the result is made from; expected another name" in line
+
+
 @pytest.mark.parametrize(
     ("command", "name"),
     [("demo", "demo.json"), ("demo", "after.png"), ("figures", "figures.md")],
