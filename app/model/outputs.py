@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from app.model.session_files import is_session
+from app.model.session_files import SUFFIX, is_session
 from solver.errors import FileError
 
 
@@ -20,7 +20,7 @@ def check_outputs(files: Iterable[Path], force: bool = False, inputs: Sequence[P
             continue
         if any(source.exists() and file.samefile(source) for source in inputs):
             raise FileError(f"{file} is what the result is made from; expected another name")
-        if file.suffix != ".json" and file.is_file() and is_session(file):
+        if file.suffix.lower() != SUFFIX and file.is_file() and is_session(file):
             raise FileError(f"{file} is a session; expected another name")
         if not force:
             raise FileError(
