@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from app.editor.actions import ACTIONS
@@ -28,11 +29,15 @@ class Editor(Workspace):
 
     Whatever goes wrong with an input, a command or a file becomes a message; the document stays
     as it was. cursor: what shows where the tool would act.  question: what is asked now: until it
-    is answered, nothing else is heard.
+    is answered, nothing else is heard.  leaving: called before another document is shown in place
+    of this one; where it raises, this one stays.
     """
+
+    leaving: Callable[[], None] = staticmethod(lambda: None)
 
     def adopt(self, document: Document, session_path: Path | None = None) -> None:
         """Show another document, with a history of its own."""
+        self.leaving()
         super().adopt(document, session_path)
         self.cursor: Overlay = NOTHING
         self.question: Question | None = None
@@ -70,8 +75,8 @@ class Editor(Workspace):
 
     def ask(self, question: Question) -> None:
         """Put a question, in place of the one that stands; a stroke or drag in progress ends."""
-        self.finish()
         self.question = question
+        self.finish()
 
     def answer(self, answer: Answer) -> Command | None:
         """Take the question away; returns what is to be done now."""

@@ -19,6 +19,7 @@ from app.model.document import Document
 from app.model.handles import FIXED, FREE, Handle
 from app.model.json_pieces import json_pieces
 from app.model.schema import SessionError
+from app.model.session_mesh import MESH, PLACES, written_mesh, written_places
 from app.model.session_poses import POSES, handle_names, kept_poses, written_poses
 from app.model.settings import SETTINGS
 from app.model.unsaved import UNSAVED
@@ -50,10 +51,8 @@ SESSION = schema.fields(
     {
         "format": schema.that(lambda v: v == FORMAT, f'"{FORMAT}"'),
         "version": schema.that(lambda v: type(v) is int and v == VERSION, str(VERSION)),
-        "mesh": schema.fields(
-            {"path": schema.text, "vertices": schema.count, "faces": schema.count},
-            required=("path",),
-        ),
+        "mesh": MESH,
+        "places": PLACES,
         "fixed": schema.list_of(schema.count),
         "handles": schema.list_of(_HANDLE),
         "pins": schema.list_of(_HANDLE),
@@ -137,13 +136,13 @@ def session_pieces(
 def _content(
     document: Document, file: Mapping[str, Any], more: Mapping[str, Any]
 ) -> dict[str, Any]:
-    mesh, material, names = document.mesh, document.material, handle_names(document)
+    material, names = document.material, handle_names(document)
     painted, pins = ([h for h in document.handles if h.pin is pin] for pin in (False, True))
     data: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
         **more,
-        "mesh": {**file, "vertices": len(mesh.vertices), "faces": len(mesh.faces)},
+        "mesh": {**file, **written_mesh(document.mesh)},
         "fixed": document.fixed,
         "handles": (_handle(document, handle, names) for handle in painted),
         "material": vars(material) if isinstance(material, Material) else material,
@@ -157,6 +156,8 @@ def _content(
         data["poses"] = written_poses(document)
     if document.softness.any():
         data["softness"] = document.softness
+    if places := written_places(document):
+        data["places"] = places
     return data
 
 

@@ -2,27 +2,14 @@
 
 from __future__ import annotations
 
-import hashlib
-
-import numpy as np
-
 from app.model import schema
 from app.model.document import Document
-from solver.mesh.mesh import Mesh
 
-# at: when, ISO 8601.  mesh, session: whole paths.  content: see `content_of`.  holds: in words.
+# at: when, ISO 8601.  mesh, session: whole paths.  holds: in words.
 UNSAVED = schema.fields(
-    {name: schema.text for name in ("at", "mesh", "content", "session", "holds")},
-    required=("at", "mesh", "content", "holds"),
+    {name: schema.text for name in ("at", "mesh", "session", "holds")},
+    required=("at", "mesh", "holds"),
 )
-
-
-def content_of(mesh: Mesh) -> str:
-    """Names what a mesh is, not where it lies: the same for the same vertices and faces."""
-    digest = hashlib.blake2b(digest_size=16)
-    for array in (mesh.vertices, mesh.faces):
-        digest.update(np.ascontiguousarray(array).data)
-    return digest.hexdigest()
 
 
 def holds(document: Document) -> str:

@@ -13,7 +13,8 @@ from typing import Any
 from app.bundled import ASSETS
 from app.model.document import Document
 from app.model.session import session_pieces
-from app.model.unsaved import content_of, holds
+from app.model.session_mesh import mesh_hash, mesh_places
+from app.model.unsaved import holds
 from app.unsaved.file import UnsavedFile
 from app.unsaved.places import Kept
 from app.workspace.workspace import Workspace
@@ -50,8 +51,7 @@ class Keeper:
         self._data = bytearray()  # not a list: joining it would hold up everything else
         self._kept, self._dismissed = self._version, NEVER
         self._count()
-        self._content = "unknown"
-        self._behind(self._name_mesh)
+        self._behind(self._describe_mesh)
 
     def _count(self) -> None:
         """From here: time, and steps of work."""
@@ -156,15 +156,17 @@ class Keeper:
         self._pieces = self._pieces_of(document, self._work.session_path)
         return self._pieces
 
-    def _name_mesh(self) -> None:
-        self._content = content_of(self._work.document.mesh)
+    def _describe_mesh(self) -> None:
+        """What a session says of a mesh is found once, and takes its time where that is large."""
+        mesh = self._work.document.mesh
+        mesh_hash(mesh)
+        mesh_places(mesh)
 
     def _pieces_of(self, document: Document, session: Path | None) -> Iterator[bytes]:
         mesh = str(document.path.resolve())
         unsaved: dict[str, Any] = {
             "at": datetime.now().astimezone().isoformat(timespec="seconds"),
             "mesh": mesh,
-            "content": self._content,
             "holds": holds(document),
         }
         if session is not None and not session.resolve().is_relative_to(ASSETS):

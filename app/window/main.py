@@ -15,7 +15,8 @@ from app.dialogs.dialogs import Dialogs
 from app.dialogs.programs import find_program
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.editor.file_actions import load_document, open_command
+from app.editor.file_actions import open_command
+from app.editor.start import open_editor
 from app.model.preferences import PreferencesFile, preferences_path
 from app.signals import told_to_end
 from app.viewpoint.camera import Camera
@@ -61,7 +62,7 @@ def _run(worker: Worker, mesh: Path | None, session: Path | None, export: Path |
     for _ in range(2):  # the first frame of a window may come before it is shown
         ps.frame_tick()
     told = ProgressFrames(c.OpenMesh.notice, lambda: None)
-    editor = Editor(load_document(mesh, session, told), worker, session, export)
+    editor = open_editor(mesh, session, worker, export, told)
     if editor.document.handles:  # everything is ready for it
         editor.execute(c.SetTool("drag"))
     window = Window(editor, remembered)
@@ -205,7 +206,6 @@ class Window:
             self._execute(command)
 
     def _execute(self, command: c.Command) -> None:
-        """Raises FileError where that would lose unsaved work."""
         with self.unsaved.around(command):
             self._editor.execute(command)
         if self._document != self._editor.document.serial:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
+from pathlib import Path
 
 from app.editor import commands as c
 from app.editor.editor import Editor
@@ -28,6 +29,8 @@ class UnsavedWork:
         self._keeper = Keeper(editor, seconds)
         self._leaving = Leaving(editor, self._keeper, files)
         self._offers = Offers(editor)
+        self._kept: Path | None = None  # where the work of the last document is
+        editor.leaving = self._keep_last
         self.steps: tuple[Callable[[], None], ...] = (
             *(self._leaving.step, self._offers.step, self._keeper.step),
         )
@@ -42,12 +45,8 @@ class UnsavedWork:
 
     @contextmanager
     def around(self, command: c.Command) -> Iterator[None]:
-        """While a command is carried out: nothing is lost where it opens another document.
-
-        Raises FileError where that cannot be prevented.
-        """
-        opens = isinstance(command, c.OpenMesh | c.OpenSession | c.ContinueWork)
-        kept, before = self._keeper.keep() if opens else None, self._editor.document
+        """While a command is carried out: nothing is lost where it opens another document."""
+        self._kept, before = None, self._editor.document
         yield
         if self._editor.document is before:
             if self._editor.question is None:
@@ -55,10 +54,14 @@ class UnsavedWork:
             return
         going_on = self._offers.gone_on_with(command)
         self._keeper.follow(going_on)
-        if kept is not None:
-            self._editor.say(f"Unsaved work is kept in {kept}")
+        if self._kept is not None:
+            self._editor.say(f"Unsaved work is kept in {self._kept}")
         if going_on is None:
             self._offers.look(self._editor.document.path)
+
+    def _keep_last(self) -> None:
+        """Another document is about to be shown. Raises FileError: it is not, then."""
+        self._kept = self._keeper.keep()
 
     def act(self, name: str) -> c.Command | None:
         """What an answer asks for, one of QUESTIONS; the command that it needs.

@@ -68,8 +68,18 @@ class Person:
         eye: ArrayLike = (0, 0, 60),
         worker: Worker | None = None,
     ) -> None:
-        self.editor = Editor(Document(mesh, path), worker or InlineWorker())
-        self.centre = mesh.vertices.mean(axis=0)
+        self._sit(Editor(Document(mesh, path), worker or InlineWorker()), eye)
+
+    @classmethod
+    def of(cls, editor: Editor) -> Person:
+        """At an editor that is open already."""
+        person = cls.__new__(cls)
+        person._sit(editor, (0, 0, 60))
+        return person
+
+    def _sit(self, editor: Editor, eye: ArrayLike) -> None:
+        self.editor = editor
+        self.centre = editor.document.mesh.vertices.mean(axis=0)
         self.eye = self.centre + np.asarray(eye, dtype=float)
 
     def frame(
@@ -173,6 +183,12 @@ def state(document: Document) -> tuple[object, ...]:
         [(kept.name, kept.pose) for kept in document.poses],
         document.rest_positions.tobytes(),
     )
+
+
+def question_of(person: Person) -> str:
+    """What is asked."""
+    assert person.editor.question is not None
+    return person.editor.question.text
 
 
 def error_of(person: Person) -> str:

@@ -13,7 +13,6 @@ import pytest
 
 from app.editor import commands as c
 from app.model.session import read_session
-from app.model.unsaved import content_of
 from app.unsaved import file as unsaved_file
 from app.unsaved.keeper import MANY, Keeper
 from app.unsaved.places import PLACE, kept_work
@@ -72,7 +71,6 @@ def test_changes_are_kept_after_a_while_and_say_what_they_are(bar: Person, folde
     assert held["unsaved"].pop("at")
     assert held["unsaved"] == {
         "mesh": str(mesh),
-        "content": content_of(bar.editor.document.mesh),
         "session": str(mesh.with_suffix(".json")),
         "holds": f"2 handles, {len(bar.editor.document.fixed)} fixed vertices",
     }
@@ -180,16 +178,18 @@ def test_a_mesh_that_is_gone_is_named_and_the_work_stays(
     assert kept.exists()
 
 
-def test_a_mesh_that_has_changed_is_said_to_have(bar: Person, keeper: Keeper) -> None:
+def test_a_mesh_that_has_changed_is_asked_about(bar: Person, keeper: Keeper) -> None:
     bar.do(c.AddHandle("one"))
     kept = keeper.keep()
     assert kept is not None
     mesh = slab(20, 4, 3.0)
     mesh.save(bar.editor.document.path, mesh.vertices)
     bar.do(c.ContinueWork(kept))
-    message = bar.editor.message
-    assert message is not None
-    assert message.text == "Unsaved work on bar.obj: the mesh has changed since"
+    assert bar.editor.question is not None
+    assert "has changed since" in bar.editor.question.text
+    bar.answer("Keep by vertex number")
+    assert [handle.name for handle in bar.editor.document.handles] == ["handle 1", "one"]
+    assert bar.editor.dirty
 
 
 def test_where_the_folder_takes_none_another_one_does_and_is_named(

@@ -19,7 +19,7 @@ from app.unsaved.places import PLACE, clean_up, kept_work, lock_path, new_file, 
 from solver.storage import write_atomically
 from tests.app.person import slab
 
-UNSAVED = {"at": "2026-01-01T12:00", "mesh": "/m.obj", "content": "0", "holds": "1 handle"}
+UNSAVED = {"at": "2026-01-01T12:00", "mesh": "/m.obj", "holds": "1 handle"}
 DAY = 24 * 3600
 
 
