@@ -19,11 +19,11 @@ COMMAND = "surface-deformation"
 PROGRAM = COMMAND if Path(sys.argv[0]).stem == COMMAND else "python -m app"
 WINDOW_HELP = """\
 other commands (each has --help):
-  deform MESH --session FILE -o OUT [--rigid K] [--pose NAME] [--poses] [--exact]
+  deform MESH --session FILE -o OUT [--rigid K] [--pose NAME] [--poses] [--exact] [--force]
                                                   pose a mesh as a session says; no window
   info MESH                                       what a mesh is and what is wrong with it
-  demo -o DIR                                     paint, fold and save, by itself
-  figures -o DIR                                  the paper's figures"""
+  demo -o DIR [--force]                           paint, fold and save, by itself
+  figures -o DIR [--force]                        the paper's figures"""
 
 
 class _Parser(argparse.ArgumentParser):
@@ -65,6 +65,11 @@ def _window(arguments: Sequence[str]) -> None:
         mesh, session = None, mesh
     if mesh is None and session is None:
         session = DEFAULT_SESSION
+    if options.export is not None:  # what else is there the window asks about
+        from app.model.outputs import check_outputs
+
+        inputs = [path for path in (mesh, session) if path is not None]
+        check_outputs([options.export], True, inputs)
     # Polyscope is loaded here, so that the commands without a window need no graphics library.
     with loading():
         from app.window.main import run_window
@@ -83,15 +88,16 @@ def _deform(arguments: Sequence[str]) -> None:
     parser.add_argument(
         "--poses",
         action="store_true",
-        help="save all kept poses too: morph targets, or new files beside OUT",
+        help="save all kept poses too: morph targets, or files beside OUT",
     )
     parser.add_argument(
         "--exact", action="store_true", help="large meshes too: frames for every triangle"
     )
+    _add_force(parser)
     options = parser.parse_args(arguments)
     from app.headless import Wish, deform
 
-    wish = Wish(options.rigid, options.pose, options.poses, options.exact)
+    wish = Wish(options.rigid, options.pose, options.poses, options.exact, options.force)
     deform(options.mesh, options.session, options.output, wish)
 
 
@@ -107,27 +113,42 @@ def _info(arguments: Sequence[str]) -> None:
 
 
 def _demo(arguments: Sequence[str]) -> None:
-    from app.demo import demo
+    from app.demo import FILES, demo
 
-    demo(_folder("demo", "Paint, fold and save the default mesh, by itself.", arguments))
+    demo(_folder("demo", "Paint, fold and save the default mesh, by itself.", arguments, FILES))
 
 
 def _figures(arguments: Sequence[str]) -> None:
-    from app.figures import figures
+    from app.figures import FILES, figures
 
-    figures(_folder("figures", "The paper's figures, on the default mesh.", arguments))
+    figures(_folder("figures", "The paper's figures, on the default mesh.", arguments, FILES))
 
 
-def _folder(command: str, description: str, arguments: Sequence[str]) -> Path:
-    """The folder of `-o DIR`, made if its parent is there."""
+def _folder(
+    command: str, description: str, arguments: Sequence[str], patterns: Sequence[str]
+) -> Path:
+    """The folder of `-o DIR`, made if its parent is there.
+
+    patterns: of the files that will be written. Raises FileError where one is there already.
+    """
     parser = _Parser(prog=f"{PROGRAM} {command}", description=description)
     parser.add_argument("-o", "--output", type=Path, metavar="DIR", required=True)
-    folder: Path = parser.parse_args(arguments).output
+    _add_force(parser)
+    options = parser.parse_args(arguments)
+    folder: Path = options.output
     try:
         folder.mkdir(exist_ok=True)
     except OSError as error:
         parser.error(f"{folder}: no folder can be made there ({error.strerror})")
+    from app.model.outputs import check_outputs
+
+    there = (file for pattern in patterns for file in sorted(folder.glob(pattern)))
+    check_outputs(there, options.force)
     return folder
+
+
+def _add_force(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--force", action="store_true", help="replace files that are there already")
 
 
 def _level(text: str) -> int:

@@ -23,6 +23,7 @@ from solver import load_mesh
 from solver.errors import SolverError
 
 PICTURE_SIZE = (1280, 800)
+FILES = "demo.obj", "demo.json", "before.png", "softness.png", "after.png"
 Point = tuple[float, float, float]
 
 # Where the brush goes on the mannequin, in world coordinates.
@@ -77,7 +78,7 @@ class Performer:
 
 
 def demo(folder: Path) -> None:
-    """Save demo.obj, demo.json and pictures of what was done. Raises SolverError.
+    """Save FILES: what was done, and pictures of it. Raises SolverError.
 
     Where no graphics library can be used, the pictures are left out and it says so.
     """
@@ -97,8 +98,8 @@ def demo(folder: Path) -> None:
     performer.take("drag")
     performer.stroke(DRAG)
     draw(folder / "after.png", "dragged: the hand up and in")
-    editor.execute(c.Export(folder / "demo.obj"))
-    editor.execute(c.SaveSession(folder / "demo.json"))
+    editor.execute(c.Export(folder / "demo.obj", replace=True))
+    editor.execute(c.SaveSession(folder / "demo.json", replace=True))
     editor.close()
     if editor.message is not None and editor.message.kind == "error":
         raise SolverError(editor.message.text)

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
 from app.editor.file_actions import load_document
-from app.editor.pose_export import check_free, poses_to_save
+from app.editor.pose_export import poses_to_save
+from app.model.carrying import MeshChanged
 from app.model.document import Document
 from app.model.handles import Pose
+from app.model.outputs import check_outputs
 from app.model.schema import SessionError
 from app.worker.memory import check_memory
 from solver import Deformer, load_mesh
@@ -29,21 +32,24 @@ class Wish:
     rigid: the level.  pose: the name of a kept pose in place of the current one.
     poses: whether all kept poses are saved, too.
     exact: without a coarse mesh for the frames, however large the mesh is.
+    force: whether files that are there already are replaced.
     """
 
     rigid: int | None = None
     pose: str | None = None
     poses: bool = False
     exact: bool = False
+    force: bool = False
 
 
 def deform(mesh: Path, session: Path, output: Path, wish: Wish) -> None:
     """Pose `mesh` as `session` says, but for what is wished for, and save it. Raises SolverError.
 
-    Kept poses become morph targets of a format that has them, else a file each beside `output`;
-    a file that is there already is not replaced.
+    Kept poses become morph targets of a format that has them, else a file each beside `output`.
+    `mesh` and `session` are never replaced, other files only where that is wished for.
     """
-    document = load_document(mesh, session)
+    check_outputs([output], wish.force, [mesh, session])
+    document = _document(mesh, session)
     if wish.rigid is not None:
         document.change("rigid", wish.rigid)
     if wish.exact:
@@ -53,10 +59,28 @@ def deform(mesh: Path, session: Path, output: Path, wish: Wish) -> None:
     shapes: dict[str, Pose] = {}
     if wish.poses:
         shapes = poses_to_save(document, output)
-        check_free(map(Path, pose_paths(output, shapes).values()), {})
+        beside = map(Path, pose_paths(output, shapes).values())
+        check_outputs(beside, wish.force, [mesh, session])
     posed = poser(document)
     X = posed(document.pose)
     document.mesh.save(output, X, {name: posed(pose) for name, pose in shapes.items()})
+
+
+def _document(mesh: Path, session: Path) -> Document:
+    """As load_document, but on a mesh that has changed by the vertices' numbers, where they hold.
+
+    Then a line on stderr says so.
+    """
+    try:
+        return load_document(mesh, session)
+    except MeshChanged as changed:
+        if changed.change == "other":
+            raise SessionError(
+                f"{changed}, and its vertices are others; open {session} in the window "
+                "to carry it over"
+            ) from changed
+        print(f"note: {changed}; its vertices are told by their numbers", file=sys.stderr)
+        return load_document(mesh, session, carry="numbers")
 
 
 def poser(document: Document) -> Callable[[Pose], FloatArray]:

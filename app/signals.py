@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
 
-ENDING = "SIGINT", "SIGTERM", "SIGHUP"  # no system has to know all of them
+ENDING = "SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT"  # no system has to know all of them
 
 
 @contextmanager

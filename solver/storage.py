@@ -27,7 +27,7 @@ def read_bytes(path: str | os.PathLike[str]) -> bytes:
         raise FileError(f"{path}: cannot be read: {_reason(error)}") from error
 
 
-def write_atomically(path: str | os.PathLike[str], data: bytes) -> None:
+def write_atomically(path: str | os.PathLike[str], data: bytes | bytearray) -> None:
     """Write beside the target, flush to the disk, then replace, and flush the folder too.
 
     A symbolic link is written through; an existing file keeps its permissions and its owner, and
@@ -37,7 +37,7 @@ def write_atomically(path: str | os.PathLike[str], data: bytes) -> None:
     try:
         target = Path(os.path.realpath(path))
         _check_target(target)
-        _remove_orphans(target.parent)
+        remove_orphans(target.parent)
         _replace(target, data)
     except (OSError, ValueError) as error:
         raise FileError(f"{path}: cannot be written: {_reason(error)}") from error
@@ -54,7 +54,7 @@ def _check_target(target: Path) -> None:
         raise PermissionError("it is write-protected")
 
 
-def _replace(target: Path, data: bytes) -> None:
+def _replace(target: Path, data: bytes | bytearray) -> None:
     temporary = target.parent / f"{_prefix(os.getpid())}{uuid.uuid4().hex}.tmp"
     known = target.exists()
     try:
@@ -100,8 +100,8 @@ def _prefix(process: int) -> str:
     return f".deform-{zlib.crc32(platform.node().encode()):08x}-{process}-"
 
 
-def _remove_orphans(folder: Path) -> None:
-    """Temporaries of processes of this machine that ended in the middle of a save."""
+def remove_orphans(folder: Path) -> None:
+    """Take away what processes of this machine left that ended in the middle of a save."""
     if os.name != "posix":
         return
     with contextlib.suppress(OSError):

@@ -31,6 +31,7 @@ LAYERS = (
     "app.selection app.scene",
     "app.pointing app.live",
     "app.workspace",
+    "app.unsaved",
     "app.tools",
     "app.editor app.dialogs",
     "app.window",

@@ -30,6 +30,11 @@ class Dialogs:
         """Whether there are any."""
         return self._program is not None
 
+    @property
+    def open(self) -> bool:
+        """Whether one is, or its answer has not been polled."""
+        return self._process is not None
+
     def ask(self, question: Question) -> None:
         """Show a dialog; not while another one is open. Raises DialogError."""
         if self._program is None or self._process is not None:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from app.editor.actions import ACTIONS
 from app.editor.commands import Command
 from app.editor.hand import Hand
 from app.editor.hints import hint
+from app.editor.question import Answer, Asks, Question
 from app.editor.softness_warnings import Warning, softness_warnings
 from app.editor.stage import Stage
 from app.latest import Latest
@@ -26,18 +28,26 @@ class Editor(Workspace):
     """What a person does, and what they see of it.
 
     Whatever goes wrong with an input, a command or a file becomes a message; the document stays
-    as it was. cursor: what shows where the tool would act.
+    as it was. cursor: what shows where the tool would act.  question: what is asked now: until it
+    is answered, nothing else is heard.  leaving: called before another document is shown in place
+    of this one; where it raises, this one stays.
     """
+
+    leaving: Callable[[], None] = staticmethod(lambda: None)
 
     def adopt(self, document: Document, session_path: Path | None = None) -> None:
         """Show another document, with a history of its own."""
+        self.leaving()
         super().adopt(document, session_path)
         self.cursor: Overlay = NOTHING
+        self.question: Question | None = None
         self._hand, self._stage = Hand(self), Stage(self)
         self._warnings: Latest[tuple[Warning, ...]] = Latest()
 
     def step(self, frame: Input) -> None:
         """One frame: advance a stroke or drag, take finished binds, pose the surface."""
+        if self.question is not None:
+            frame = Input(None, frame.camera)
         try:
             self._hand.advance(frame)
             self._refresh()
@@ -50,14 +60,28 @@ class Editor(Workspace):
         self.cursor = self._hand.cursor(frame)
 
     def execute(self, command: Command) -> None:
-        """Do what a person asks for."""
+        """Do what a person asks for, or ask first."""
+        if self.question is not None:
+            return
         try:
             if command.interrupts:
                 self.finish()
             ACTIONS[type(command)](self, command)
             self._refresh()
+        except Asks as asks:
+            self.ask(asks.question)
         except (SolverError, OSError) as error:
             self.say(str(error), "error")
+
+    def ask(self, question: Question) -> None:
+        """Put a question, in place of the one that stands; a stroke or drag in progress ends."""
+        self.question = question
+        self.finish()
+
+    def answer(self, answer: Answer) -> Command | None:
+        """Take the question away; returns what is to be done now."""
+        self.question = None
+        return answer.command
 
     def settle(self) -> None:
         """For scripts: wait until the surface is what the document asks for. Raises SolverError."""

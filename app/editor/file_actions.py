@@ -6,12 +6,26 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from app.bundled import ASSETS, writable
+from app.bundled import is_bundled, writable
 from app.editor import commands as c
 from app.editor.action import Actions
+from app.editor.elsewhere import or_elsewhere
+from app.editor.opening import (
+    Beside,
+    carried_over,
+    sessions_beside,
+    to_carry,
+    to_continue,
+    unusable,
+)
+from app.editor.question import Asks
+from app.editor.replacing import ask_before, check_mesh_files, check_session_file, whole
+from app.model.carrying import MeshChanged, on_mesh
 from app.model.document import Document
-from app.model.session import read_session, to_document, write_session
+from app.model.session import read_session, write_session
+from app.model.session_mesh import Carry
 from app.model.settings import affordable_level
+from app.unsaved.places import read_unsaved
 from app.workspace.workspace import Workspace
 from solver import load_mesh
 from solver.errors import SolverError
@@ -19,23 +33,60 @@ from solver.mesh.progress import Progress
 
 
 def open_mesh(work: Workspace, command: c.OpenMesh) -> None:
-    with _recent(work, command.path):
+    beside = Beside() if command.fresh else sessions_beside(command.path)
+    if beside.sessions:
+        raise Asks(to_continue(beside.sessions, command.path))
+    with recent(work, command.path):
         work.adopt(load_document(command.path, None, work.progress))
     _announce(work, command.path)
+    if beside.fault is not None:
+        work.say(unusable(beside.fault), "error")
 
 
 def open_session(work: Workspace, command: c.OpenSession) -> None:
-    with _recent(work, command.path):
-        work.adopt(load_document(None, command.path, work.progress), command.path)
+    with recent(work, command.path):
+        try:
+            document = load_document(command.mesh, command.path, work.progress, command.carry)
+        except MeshChanged as changed:
+            raise Asks(to_carry(changed, command)) from changed
+        work.adopt(document, command.path)
     _announce(work, command.path)
+    if command.carry is not None:
+        work.own.forget(command.path)  # it still holds what was painted on the other mesh
+        work.say(carried_over(document))
+
+
+def continue_work(work: Workspace, command: c.ContinueWork) -> None:
+    """No file holds it: it is unsaved from the start."""
+    unsaved = read_unsaved(command.path)
+    path = command.mesh or Path(unsaved["mesh"])
+    try:
+        document = load_document(path, command.path, work.progress, command.carry)
+    except MeshChanged as changed:
+        raise Asks(to_carry(changed, command)) from changed
+    work.adopt(document)
+    work.session_path = Path(unsaved["session"]) if "session" in unsaved else None
+    if work.session_path is not None and not _newer(work.session_path, command.path):
+        work.own.add(work.session_path)
+    work.history.mark_unsaved()
+    work.say(f"Unsaved work on {whole(path)}" if command.carry is None else carried_over(document))
+
+
+def _newer(path: Path, other: Path) -> bool:
+    """Whether a file was written after the other, or is gone."""
+    return not path.exists() or path.stat().st_mtime > other.stat().st_mtime
 
 
 def load_document(
-    mesh: Path | None, session: Path | None, progress: Progress | None = None
+    mesh: Path | None,
+    session: Path | None,
+    progress: Progress | None = None,
+    carry: Carry | None = None,
 ) -> Document:
     """A mesh as it is, the document of a session, or that of a session on another mesh file.
 
-    progress: see load_mesh. Raises FileError, MeshError or SessionError.
+    progress: see load_mesh.  carry: how a session gets onto a mesh that has changed.
+    Raises FileError, MeshError or SessionError; where the mesh has changed, MeshChanged.
     """
     if session is None:
         assert mesh is not None
@@ -44,7 +95,7 @@ def load_document(
         return document
     described = read_session(session)
     path = mesh or described.mesh_path
-    return to_document(described, load_mesh(path, progress), path)
+    return on_mesh(described, load_mesh(path, progress), path, carry)
 
 
 def open_command(path: Path) -> c.OpenMesh | c.OpenSession:
@@ -54,21 +105,26 @@ def open_command(path: Path) -> c.OpenMesh | c.OpenSession:
 
 def save_session(work: Workspace, command: c.SaveSession) -> None:
     path = command.path or default_session_path(work)
-    spare_mesh(work, path)
-    with _recent(work, path):
+    check_session_file(work, path)
+    ask_before(work, command, path, lambda file: [file])
+    with or_elsewhere(command, path), recent(work, path):
         write_session(path, work.document)
+    work.own.add(path)
     work.session_path = path
     work.history.mark_saved()
-    work.say(f"Saved {path}")
+    work.say(f"Saved {whole(path)}")
 
 
 def export(work: Workspace, command: c.Export) -> None:
     path = command.path or default_export_path(work)
-    spare_mesh(work, path)
+    check_mesh_files([path])
+    ask_before(work, command, path, lambda file: [file])
     work.settle()
-    with _recent(work, path):
+    with or_elsewhere(command, path), recent(work, path):
         work.document.mesh.save(path, work.positions, progress=work.progress)
-    work.say(f"Exported {path}")
+    work.own.add(path)
+    work.exported = path
+    work.say(f"Exported {whole(path)}")
 
 
 def default_session_path(work: Workspace) -> Path:
@@ -77,17 +133,19 @@ def default_session_path(work: Workspace) -> Path:
 
 
 def default_export_path(work: Workspace) -> Path:
-    """The one the program was started with, else one beside the mesh.
+    """Where the last export went, else where the program was told, or one beside the mesh.
 
-    In the format of the mesh where that keeps what else its file holds.
+    The latter in the format of the mesh where that keeps what else its file holds.
     """
+    if work.exported is not None:
+        return work.exported
     mesh = work.document.path
     suffix = ".obj" if work.document.mesh.source is None else mesh.suffix
     return work.export_path or writable(mesh.with_name(f"{mesh.stem}-deformed{suffix}"))
 
 
 @contextmanager
-def _recent(work: Workspace, path: Path) -> Iterator[None]:
+def recent(work: Workspace, path: Path) -> Iterator[None]:
     """A file that could be used is among the recent ones, one that is gone no longer is."""
     try:
         yield
@@ -95,26 +153,18 @@ def _recent(work: Workspace, path: Path) -> Iterator[None]:
         if not path.exists():
             work.recent.drop(path)
         raise
-    if not path.resolve().is_relative_to(ASSETS):
+    if not is_bundled(path):
         work.recent.add(path)
 
 
 def _announce(work: Workspace, path: Path) -> None:
-    work.say(f"Opened {path.name}: {len(work.document.role):,} vertices")
-
-
-def spare_mesh(work: Workspace, path: Path) -> None:
-    """Raise CommandError if saving to `path` would replace the mesh that is open."""
-    mesh = work.document.path
-    if path.resolve() == mesh.resolve() or (
-        path.exists() and mesh.exists() and path.samefile(mesh)
-    ):
-        raise c.CommandError(f"{path} is the mesh that is open; expected another name")
+    work.say(f"Opened {whole(path)}: {len(work.document.role):,} vertices")
 
 
 FILE_ACTIONS: Actions = {
     c.OpenMesh: open_mesh,
     c.OpenSession: open_session,
+    c.ContinueWork: continue_work,
     c.SaveSession: save_session,
     c.Export: export,
 }

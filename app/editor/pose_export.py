@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 
 from app.editor import commands as c
 from app.editor.action import Actions, check_between
-from app.editor.file_actions import default_export_path, spare_mesh
+from app.editor.file_actions import default_export_path, recent
+from app.editor.replacing import ask_before, check_mesh_files, whole
 from app.model.document import Document
 from app.model.handles import Pose
 from app.model.history import Gesture
 from app.model.poses import REST_NAME, blended_pose
-from app.workspace.workspace import FileState, Workspace
+from app.workspace.workspace import Workspace
 from solver.mesh.mesh import pose_paths
 from solver.mesh.progress import Progress, portion, silent
 from solver.types import FloatArray
@@ -24,17 +25,23 @@ SOLVING = 0.7  # of the time an export takes, about
 def export_poses(work: Workspace, command: c.ExportPoses) -> None:
     path = command.path or default_export_path(work)
     shapes = poses_to_save(work.document, path, check_between(command.between))
-    beside = [Path(file) for file in pose_paths(path, shapes).values()]
-    for file in (path, *beside):
-        spare_mesh(work, file)
-    check_free(beside, work.written)
+
+    def files(file: Path) -> list[Path]:
+        return [file, *map(Path, pose_paths(file, shapes).values())]
+
+    check_mesh_files(files(path))
+    ask_before(work, command, path, files)
     progress = work.progress or silent
     solved = _solved(work, shapes, portion(progress, 0.0, SOLVING))
     saving = portion(progress, SOLVING, 1.0)
-    work.document.mesh.save(path, work.positions, solved, saving)
-    work.written |= {file.resolve(): _state(file) for file in beside}
-    beside_it = f", {len(beside)} files beside it" if beside else ""
-    work.say(f"Exported {path} with {len(work.document.poses)} poses{beside_it}")
+    with recent(work, path):
+        work.document.mesh.save(path, work.positions, solved, saving)
+    for file in files(path):
+        work.own.add(file)
+    work.exported = path
+    beside = len(files(path)) - 1
+    beside_it = f", {beside} files beside it" if beside else ""
+    work.say(f"Exported {whole(path)} with {len(work.document.poses)} poses{beside_it}")
 
 
 def poses_to_save(document: Document, path: Path, between: int = 0) -> dict[str, Pose]:
@@ -55,20 +62,6 @@ def poses_to_save(document: Document, path: Path, between: int = 0) -> dict[str,
             raise c.CommandError(f"two poses would be called {name!r}, expected distinct names")
         found[name] = pose
     return found
-
-
-def check_free(files: Iterable[Path], written: dict[Path, FileState]) -> None:
-    """Raises CommandError for a file that is there, unless it is still as an export wrote it."""
-    for file in files:
-        if file.exists() and written.get(file.resolve()) != _state(file):
-            raise c.CommandError(
-                f"{file} is there already and would be replaced; expected another name, or no file"
-            )
-
-
-def _state(file: Path) -> FileState:
-    found = file.stat()
-    return found.st_mtime_ns, found.st_size
 
 
 def _numbered(document: Document, between: int) -> Iterator[tuple[str, Pose]]:

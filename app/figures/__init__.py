@@ -17,6 +17,8 @@ from app.graphics import GraphicsError
 from solver import load_mesh
 from solver.storage import write_atomically
 
+FILES = "figures.json", "figures.md", "figure-*.png"
+
 
 def figures(folder: Path) -> None:
     """Save figures.json, figures.md and a PNG for each figure. Raises SolverError.

@@ -6,6 +6,7 @@ undoable field is a line in FIELDS, a default, and (if the solver depends on it)
 
 from __future__ import annotations
 
+import copy
 import itertools
 from dataclasses import dataclass
 from functools import cached_property
@@ -80,6 +81,13 @@ class Document:
         self.attach: bool | list[int] = SETTINGS["attach"].default
         self.coarse: bool | int = SETTINGS["coarse"].default
         self.revision = {name: next(clock) for name in FIELDS}
+
+    def frozen(self) -> Document:
+        """As it is now: another document, which what is done to this one leaves alone."""
+        copied = copy.copy(self)
+        for name in ("role", "softness", "pinned"):  # all else is replaced, never written to
+            setattr(copied, name, getattr(self, name).copy())
+        return copied
 
     def change(self, field: str, value: Any, index: IntArray | None = None) -> Edit:
         """Set a field, or field[index] (indices without repetition), and return what was done."""

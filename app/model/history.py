@@ -101,6 +101,10 @@ class History:
         self._saved = self.top
         self.seal()
 
+    def mark_unsaved(self) -> None:
+        """No session file holds any of it: not even what there was at first."""
+        self._saved = Entry("", ())
+
     @property
     def dirty(self) -> bool:
         """Whether there are changes that no session file holds."""

@@ -22,6 +22,7 @@ from solver.storage import read_bytes, write_atomically
 PROGRAM = "surface-deformation"
 PLACE = "SURFACE_DEFORMATION_PREFERENCES"  # an environment variable with another path
 SMALLEST, LARGEST = 0.5, 4.0  # of the interface
+LONGEST = 3600  # seconds between two autosaves
 
 
 @dataclass(frozen=True)
@@ -31,12 +32,14 @@ class Preferences:
     window: width and height of the window when it was last closed, None before that.
     dialogs: whether the system's own dialogs are used.
     recent: paths of files opened or saved, the last first.
+    autosave: after how many seconds unsaved changes are kept.
     """
 
     interface_scale: float | None = None
     window: tuple[int, int] | None = None
     dialogs: bool = True
     recent: tuple[str, ...] = ()
+    autosave: float = 60.0
 
 
 def _pair(value: Any, where: str) -> tuple[int, int]:
@@ -52,11 +55,15 @@ def _is_length(value: Any) -> bool:
 _size = schema.that(
     lambda v: is_number(v) and SMALLEST <= v <= LARGEST, f"a number from {SMALLEST} to {LARGEST}"
 )
+_pause = schema.that(
+    lambda v: is_number(v) and 0 < v <= LONGEST, f"a number of seconds, above 0 and up to {LONGEST}"
+)
 _texts = schema.list_of(schema.text)
 CHECKS: dict[str, schema.Check] = {
     "interface_scale": lambda v, where: None if v is None else _size(v, where),
     "window": lambda v, where: None if v is None else _pair(v, where),
     "dialogs": schema.that(lambda v: isinstance(v, bool), "true or false"),
+    "autosave": _pause,
     "recent": lambda v, where: tuple(_texts(v, where)),
 }
 

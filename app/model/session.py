@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +17,9 @@ import numpy as np
 from app.model import schema
 from app.model.document import Document
 from app.model.handles import FIXED, FREE, NO_TURN, Handle
+from app.model.json_pieces import json_pieces
 from app.model.schema import SessionError
+from app.model.session_mesh import MESH, PLACES, written_mesh, written_places
 from app.model.session_poses import (
     POSES,
     handle_names,
@@ -26,6 +29,7 @@ from app.model.session_poses import (
     written_turn,
 )
 from app.model.settings import SETTINGS
+from app.model.unsaved import UNSAVED
 from solver.mesh.mesh import Mesh
 from solver.softness.material import PRESETS, Material
 from solver.storage import read_bytes, write_atomically
@@ -55,10 +59,8 @@ SESSION = schema.fields(
     {
         "format": schema.that(lambda v: v == FORMAT, f'"{FORMAT}"'),
         "version": schema.that(lambda v: type(v) is int and v == VERSION, str(VERSION)),
-        "mesh": schema.fields(
-            {"path": schema.text, "vertices": schema.count, "faces": schema.count},
-            required=("path",),
-        ),
+        "mesh": MESH,
+        "places": PLACES,
         "fixed": schema.list_of(schema.count),
         "handles": schema.list_of(_HANDLE),
         "pins": schema.list_of(_HANDLE),
@@ -66,6 +68,7 @@ SESSION = schema.fields(
         "poses": POSES,
         "softness": schema.list_of(schema.share),
         "material": _material,
+        "unsaved": UNSAVED,
         "settings": schema.fields(
             {name: schema.that(s.accepts, s.expected) for name, s in SETTINGS.items()}
         ),
@@ -118,37 +121,59 @@ def to_document(session: Session, mesh: Mesh, mesh_path: Path) -> Document:
 
 def write_session(path: Path, document: Document) -> None:
     """Write the document as a session file, the mesh relative to it. Raises FileError."""
-    mesh, material, names = document.mesh, document.material, handle_names(document)
+    pieces = session_pieces(document, {"path": _relative(document.path, path)})
+    write_atomically(path, b"".join(pieces))
+
+
+def session_pieces(
+    document: Document, mesh: Mapping[str, Any], **more: Mapping[str, Any]
+) -> Iterator[bytes]:
+    """What a session file holds, a thousand numbers or so at a time.
+
+    mesh, more: what it says under these keys besides. The document must not change meanwhile.
+    """
+    start = "{\n"
+    for key, value in _content(document, mesh, more).items():
+        yield f"{start} {json.dumps(key)}: ".encode()
+        for piece in json_pieces(value):
+            yield piece.encode()
+        start = ",\n"
+    yield b"\n}\n"
+
+
+def _content(
+    document: Document, file: Mapping[str, Any], more: Mapping[str, Any]
+) -> dict[str, Any]:
+    material, names = document.material, handle_names(document)
+    painted, pins = ([h for h in document.handles if h.pin is pin] for pin in (False, True))
     data: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
-        "mesh": {
-            "path": _relative(document.path, path),
-            "vertices": len(mesh.vertices),
-            "faces": len(mesh.faces),
-        },
-        "fixed": document.fixed.tolist(),
-        "handles": [_handle(document, h, names) for h in document.handles if not h.pin],
+        **more,
+        "mesh": {**file, **written_mesh(document.mesh)},
+        "fixed": document.fixed,
+        "handles": (_handle(document, handle, names) for handle in painted),
         "material": vars(material) if isinstance(material, Material) else material,
         "settings": _settings(document),
     }
-    if pins := [_handle(document, h, names) for h in document.handles if h.pin]:
-        data["pins"] = pins
+    if pins:
+        data["pins"] = (_handle(document, handle, names) for handle in pins)
     if document.rest is not None:
-        data["rest"] = document.rest_positions.tolist()
+        data["rest"] = document.rest_positions
     if document.poses:
         data["poses"] = written_poses(document)
     if document.softness.any():
-        data["softness"] = document.softness.tolist()
-    lines = [f" {json.dumps(key)}: {json.dumps(data[key], allow_nan=False)}" for key in data]
-    write_atomically(path, ("{\n" + ",\n".join(lines) + "\n}\n").encode())
+        data["softness"] = document.softness
+    if places := written_places(document):
+        data["places"] = places
+    return data
 
 
 def _handle(document: Document, handle: Handle, names: dict[int, str]) -> dict[str, Any]:
     entry = {
         "name": names[handle.key],
-        "vertices": document.vertices_of(handle.key).tolist(),
-        "transform": document.pose.of(handle.key).tolist(),
+        "vertices": document.vertices_of(handle.key),
+        "transform": document.pose.of(handle.key),
     }
     turn = written_turn(document.pose, handle.key)
     return entry if turn is None else {**entry, "turn": turn}

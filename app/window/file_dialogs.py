@@ -6,17 +6,14 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from app.bundled import ASSETS
+from app.bundled import is_bundled
 from app.dialogs.dialogs import Dialogs
 from app.dialogs.question import Answer, Kind, Question
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.editor.file_actions import (
-    default_export_path,
-    default_session_path,
-    open_command,
-    spare_mesh,
-)
+from app.editor.file_actions import default_export_path, default_session_path, open_command
+from app.editor.replacing import is_open_mesh
+from app.model.session_files import session_name
 from solver.mesh.formats.table import FORMATS
 
 MESHES = Kind("Meshes", tuple(FORMATS))
@@ -30,16 +27,19 @@ class FileDialogs:
 
     def __init__(self, dialogs: Dialogs) -> None:
         self._dialogs = dialogs
-        self._exported: Path | None = None
 
     @property
     def available(self) -> bool:
         """Whether there are dialogs."""
         return self._dialogs.available
 
+    @property
+    def asking(self) -> bool:
+        """Whether a dialog is open."""
+        return self._dialogs.open
+
     def forget(self) -> None:
-        """Another document is open: none has been exported, and no dialog is about the last."""
-        self._exported = None
+        """Another document is open, and no dialog is about the last."""
         self._dialogs.close()
 
     def act(self, name: str, editor: Editor) -> c.Command | None:
@@ -56,22 +56,24 @@ class FileDialogs:
     def known(self, name: str, editor: Editor) -> Path | None:
         """Where a file goes without being asked for; None where that has not been said yet."""
         if name in EXPORTS:
-            return self._exported or editor.export_path
+            return editor.exported or editor.export_path
         session = editor.session_path
-        if name != "save" or session is None or session.resolve().is_relative_to(ASSETS):
+        if name != "save" or session is None or is_bundled(session):
             return None
         return session
 
     def poll(self, editor: Editor) -> c.Command | None:
-        """The command of an answer, once. Raises DialogError or CommandError."""
+        """The command of an answer, once. Raises DialogError.
+
+        The dialog has asked whether to replace a file, but not what it is: the mesh that is open
+        is asked about once more, and so is a file whose name was completed here.
+        """
         answer = self._dialogs.poll()
         if answer is None or answer.path is None:
             return None
         purpose, path = answer.question.purpose, _complete(answer, answer.path)
-        if purpose in EXPORTS:
-            spare_mesh(editor, path)
-            self._exported = path
-        return _command(purpose, path, editor)
+        asked = path == answer.path and not is_open_mesh(editor, path)
+        return _command(purpose, path, editor, asked)
 
     def close(self) -> None:
         """End the dialog that is open."""
@@ -80,7 +82,7 @@ class FileDialogs:
 
 def _open(editor: Editor) -> Question:
     mesh = editor.document.path
-    folder = Path.cwd() if mesh.resolve().is_relative_to(ASSETS) else mesh.parent
+    folder = Path.cwd() if is_bundled(mesh) else mesh.parent
     return Question("open", "Open", folder, (BOTH, MESHES, SESSIONS))
 
 
@@ -104,24 +106,19 @@ QUESTIONS: dict[str, Callable[[Editor], Question]] = {
 }
 
 
-def _command(name: str, path: Path, editor: Editor) -> c.Command:
+def _command(name: str, path: Path, editor: Editor, asked: bool = False) -> c.Command:
+    """asked: whether the person has agreed to replace what is there."""
     if name == "open":
         return open_command(path)
     if name == "export poses":
-        return c.ExportPoses(path, editor.blend.between)
-    return c.SaveSession(path) if name == "save" else c.Export(path)
+        return c.ExportPoses(path, editor.blend.between, asked)
+    return c.SaveSession(path, asked) if name == "save" else c.Export(path, asked)
 
 
 def _complete(answer: Answer, path: Path) -> Path:
-    """With the suffix that was proposed, where the person typed none or there is but one.
-
-    The dialog then asked about another name: what is there is not replaced.
-    """
-    suffixes = {suffix for kind in answer.question.kinds for suffix in kind.suffixes}
-    told = path.suffix if len(suffixes) > 1 else path.suffix.lower() in suffixes
-    if not answer.question.saves or told:
+    """With the suffix of sessions, or that of the mesh that was proposed where none was typed."""
+    if answer.question.purpose == "save":
+        return session_name(path)
+    if not answer.question.saves or path.suffix:
         return path
-    whole = path.with_name(path.name + answer.question.path.suffix)
-    if whole.exists():
-        raise c.CommandError(f"{whole} is there already; choose it by its whole name to replace it")
-    return whole
+    return path.with_name(path.name + answer.question.path.suffix)

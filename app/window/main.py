@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 import traceback
 from collections.abc import Iterator
@@ -16,12 +15,13 @@ from app.dialogs.dialogs import Dialogs
 from app.dialogs.programs import find_program
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.editor.file_actions import load_document, open_command
-from app.editor.unsaved import keep_unsaved
+from app.editor.file_actions import open_command
+from app.editor.start import open_editor
 from app.model.preferences import PreferencesFile, preferences_path
 from app.signals import told_to_end
 from app.viewpoint.camera import Camera
 from app.window.file_dialogs import FileDialogs
+from app.window.lost_display import display_lost
 from app.window.messages import Messages, overlay
 from app.window.mouse_and_keys import read_mouse, read_shortcuts
 from app.window.overlay import OverlayDrawer
@@ -29,10 +29,12 @@ from app.window.panel import WIDTH, Panel
 from app.window.panel.file_rows import FileRows
 from app.window.panel.looking import LookingRows
 from app.window.progress_frames import ProgressFrames
+from app.window.question_box import draw_question
 from app.window.remembered import Remembered
 from app.window.scaling import scaled
 from app.window.shortcuts import SetInterface, WindowAction
 from app.window.studio import PICTURES, Studio
+from app.window.unsaved_work import QUESTIONS, UnsavedWork
 from app.window.view import View
 from app.worker.client import ProcessWorker, Worker
 from solver.errors import SolverError
@@ -60,14 +62,15 @@ def _run(worker: Worker, mesh: Path | None, session: Path | None, export: Path |
     for _ in range(2):  # the first frame of a window may come before it is shown
         ps.frame_tick()
     told = ProgressFrames(c.OpenMesh.notice, lambda: None)
-    editor = Editor(load_document(mesh, session, told), worker, session, export)
+    editor = open_editor(mesh, session, worker, export, told)
     if editor.document.handles:  # everything is ready for it
         editor.execute(c.SetTool("drag"))
     window = Window(editor, remembered)
     ps.set_user_callback(window.frame)
     ps.set_files_dropped_callback(window.drop)
     try:
-        _loop(window)
+        with display_lost(window.unsaved.keep):
+            _loop(window)
     finally:
         window.close()
 
@@ -75,10 +78,12 @@ def _run(worker: Worker, mesh: Path | None, session: Path | None, export: Path |
 def _loop(window: Window) -> None:
     """Sixty frames a second and no more: Polyscope's own limit burns the time in between."""
     with told_to_end() as told:
-        while not (told or ps.window_requests_close()):
+        while not (told or window.unsaved.ended):
             start = time.perf_counter()
             ps.frame_tick()
             window.work()
+            if ps.window_requests_close():  # only once for each press of the button
+                window.leave()
             time.sleep(max(FRAME_SECONDS - (time.perf_counter() - start), 0.0))
 
 
@@ -93,6 +98,7 @@ class Window:
         self._studio = Studio(editor, self._view)
         program = find_program() if remembered.file.values.dialogs else None
         self._dialogs = FileDialogs(Dialogs(program))
+        self.unsaved = UnsavedWork(editor, self._dialogs, remembered.file.values.autosave)
         self._panel = Panel(FileRows(self._dialogs), LookingRows(self._studio, remembered.file))
         self._messages = Messages()
         self._waiting: list[c.Command] = []
@@ -102,6 +108,8 @@ class Window:
         self._rest = False  # whether this frame shows the rest shape
         self._document = editor.document.serial
         remembered.attach(editor)
+        with self._telling():
+            self.unsaved.offer()
 
     def frame(self) -> None:
         """One frame."""
@@ -116,8 +124,9 @@ class Window:
             with self._telling():
                 self._execute(command)
             ps.set_user_callback(self.frame)
-        with self._telling():
-            self._studio.work()
+        for work in (self._studio.work, *self.unsaved.steps):
+            with self._telling():
+                work()
 
     @contextmanager
     def _telling(self) -> Iterator[None]:
@@ -128,6 +137,7 @@ class Window:
             self._editor.say(str(error), "error")
         except Exception as error:
             traceback.print_exc()
+            self.unsaved.hurry()
             self._editor.say(f"Internal error: {error}", "error")
 
     def drop(self, files: list[str]) -> None:
@@ -140,20 +150,18 @@ class Window:
             for part in (self._studio, self._dialogs, self._editor):
                 ends.callback(part.close)
             ends.callback(self._remembered.keep_window)
-            try:
-                keep_unsaved(self._editor)
-            except SolverError as error:
-                print(error, file=sys.stderr)
+            self.unsaved.close()
+
+    def leave(self) -> None:
+        """A person wants to close the window."""
+        with self._telling():
+            self.unsaved.leave()
 
     def _frame(self) -> None:
         editor, view = self._editor, self._view
         editor.viewpoint.fit(ps.get_window_size(), scaled(WIDTH))
-        asked = [*read_shortcuts(editor.brush, editor.hears), *self._panel.draw(editor)]
-        asked += [open_command(path) for path in self._drops]
-        self._drops = []
         self._rest = False
-        asked += self._answered()
-        for command in asked:
+        for command in self._asked():
             self._do(command)
         mouse = read_mouse(editor.viewpoint.camera)
         # Nobody can paint or drag what is not seen: the mouse is the camera's meanwhile.
@@ -166,6 +174,18 @@ class Window:
         view.show(scene)
         self._drawer.draw(scene.overlay, camera)
         self._overlay()
+
+    def _asked(self) -> list[c.Command]:
+        """What a person asks for; where a question stands, no more than its answer does."""
+        editor = self._editor
+        asked = [*read_shortcuts(editor.brush, editor.hears), *self._panel.draw(editor)]
+        if editor.question is not None:
+            answer = draw_question(editor.question)
+            command = None if answer is None else editor.answer(answer)
+            return [] if command is None else [command]
+        asked += [open_command(path) for path in self._drops]
+        self._drops = []
+        return asked + self._answered()
 
     def _answered(self) -> list[c.Command]:
         """What the dialog that was open asks for, once it was answered."""
@@ -186,16 +206,12 @@ class Window:
             self._execute(command)
 
     def _execute(self, command: c.Command) -> None:
-        """Raises FileError where that would lose unsaved work."""
-        opens = isinstance(command, c.OpenMesh | c.OpenSession)
-        kept = keep_unsaved(self._editor) if opens else None
-        self._editor.execute(command)
+        with self.unsaved.around(command):
+            self._editor.execute(command)
         if self._document != self._editor.document.serial:
             self._document = self._editor.document.serial
             self._panel.file_rows.forget()
             self._dialogs.forget()
-            if kept is not None:
-                self._editor.say(f"Unsaved work is kept in {kept}")
 
     def _act(self, name: str) -> None:
         """Raises SolverError."""
@@ -203,11 +219,17 @@ class Window:
             self._panel.show_help = not self._panel.show_help
         elif name == "rest":
             self._rest = True
+        elif name in QUESTIONS:
+            self._follow_up(self.unsaved.act(name))
         elif name in PICTURES:
             self._studio.ask(name)
         elif not self._dialogs.available:
             self._panel.file_rows.use(name)
-        elif (command := self._dialogs.act(name, self._editor)) is not None:
+        else:
+            self._follow_up(self._dialogs.act(name, self._editor))
+
+    def _follow_up(self, command: c.Command | None) -> None:
+        if command is not None:
             self._do(command)
 
     def _overlay(self) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 
 import polyscope as ps
 
-from app.bundled import ASSETS
+from app.bundled import is_bundled
 from app.editor.editor import Editor
 from app.model.preferences import PreferencesFile
 from app.window.opening import open_window
@@ -37,7 +37,7 @@ class Remembered:
         self._editor = editor
         editor.recent = Recent(map(Path, self.file.values.recent), self._keep_recent)
         opened = editor.session_path or editor.document.path
-        if not opened.resolve().is_relative_to(ASSETS):
+        if not is_bundled(opened):
             editor.recent.add(opened)
         self._tell()
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from app.bundled import writable
 from app.editor.editor import Editor
+from app.editor.replacing import whole
 from app.model.free_path import free_path
 from app.viewpoint.camera import Camera
 from app.viewpoint.moves import orbited
@@ -76,7 +77,7 @@ class Studio:
         """Once a frame, after it was drawn. Raises SolverError."""
         if self._asked:
             self._asked = ""
-            path = self._path("picture.png")
+            path = free_path(self._path("picture.png"))
             save_picture(self._picture(), path)
             self._editor.say(f"Saved {path}")
         if self._turn is not None:
@@ -125,6 +126,7 @@ class Studio:
 
     def _save(self, film: Film, path: Path) -> None:
         try:
+            path = free_path(path)  # now: another window may have saved meanwhile
             film.save(path)
             self._saved = f"Saved {path}", "info"
         except Exception as error:  # of a thread: nobody else would hear of it
@@ -147,4 +149,4 @@ class Studio:
 
     def _path(self, ending: str) -> Path:
         mesh = self._editor.document.path
-        return free_path(writable(mesh.with_name(f"{mesh.stem}-{ending}")))
+        return whole(writable(mesh.with_name(f"{mesh.stem}-{ending}")))

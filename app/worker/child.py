@@ -20,8 +20,10 @@ PR_SET_PDEATHSIG = 1
 
 def serve(connection: Connection) -> None:
     """Meet requests until the other side is gone."""
-    # Ctrl+C in a terminal reaches both processes; the window decides what it means.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # Ctrl+C and the like in a terminal reach both processes; the window decides what they mean.
+    for key in ("SIGINT", "SIGQUIT"):
+        if hasattr(signal, key):
+            signal.signal(getattr(signal, key), signal.SIG_IGN)
     _end_with_parent()
     service, guest = SolverService(), Guest()
     while True:

@@ -31,6 +31,7 @@ from app.workspace.heat import Heat
 from app.workspace.interaction import Interaction, Message, Moment
 from app.workspace.late import Late
 from app.workspace.marking import Marking
+from app.workspace.own_files import OwnFiles
 from app.workspace.parts import Parts
 from app.workspace.placing import Pivots, Placing
 from app.workspace.recent import Recent
@@ -38,8 +39,6 @@ from app.workspace.seen_handles import SeenHandles
 from app.workspace.symmetry import Symmetry
 from solver.mesh.progress import Progress
 from solver.types import FloatArray
-
-FileState = tuple[int, int]  # when a file was last written, in ns, and how long it is
 
 
 class Workspace:
@@ -54,7 +53,8 @@ class Workspace:
     message: the last one, None before the first.  interaction: the stroke or drag in progress.
     progress: what is told how far reading and saving are.  viewpoint: where the person looks from.
     last_input: of the frame before.  export_path: where Export goes by default.  session_path: the
-    session file last opened or saved.  written: the files that exports gave a name.
+    session file last opened or saved.  exported: where the last export went.
+    own: the files that may be replaced without asking.
     late: what a drag owes that was over before the solver's bind had come.
     before_press: what there was before the mouse was pressed last.
     """
@@ -80,7 +80,6 @@ class Workspace:
         self.message: Message | None = None
         self.progress: Progress | None = None
         self.viewpoint = Viewpoint()
-        self.written: dict[Path, FileState] = {}
         self.recent = Recent()
         self.adopt(document, session_path)
 
@@ -91,6 +90,10 @@ class Workspace:
         self.interaction: Interaction | None = None
         self.document = document
         self.session_path = session_path
+        self.exported: Path | None = None
+        self.own = OwnFiles()
+        if session_path is not None:
+            self.own.add(session_path)
         self.history = History()
         self.late = Late()
         self.surface = LiveSurface(document.rest_positions, self.worker, self._complain)

@@ -68,8 +68,18 @@ class Person:
         eye: ArrayLike = (0, 0, 60),
         worker: Worker | None = None,
     ) -> None:
-        self.editor = Editor(Document(mesh, path), worker or InlineWorker())
-        self.centre = mesh.vertices.mean(axis=0)
+        self._sit(Editor(Document(mesh, path), worker or InlineWorker()), eye)
+
+    @classmethod
+    def of(cls, editor: Editor) -> Person:
+        """At an editor that is open already."""
+        person = cls.__new__(cls)
+        person._sit(editor, (0, 0, 60))
+        return person
+
+    def _sit(self, editor: Editor, eye: ArrayLike) -> None:
+        self.editor = editor
+        self.centre = editor.document.mesh.vertices.mean(axis=0)
         self.eye = self.centre + np.asarray(eye, dtype=float)
 
     def frame(
@@ -133,6 +143,15 @@ class Person:
         for command in commands:
             self.editor.execute(command)
 
+    def answer(self, label: str) -> None:
+        """Press the button of the question that stands."""
+        question = self.editor.question
+        assert question is not None, "nothing is asked"
+        (answer,) = (answer for answer in question.answers if answer.label == label)
+        command = self.editor.answer(answer)
+        if command is not None:
+            self.do(command)
+
     def ready_bar(self) -> None:
         """On `slab(20, 4, 2)`: the left end fixed, the right end a handle, bound."""
         self.use("fixed", 1.6)
@@ -167,6 +186,12 @@ def state(document: Document) -> tuple[object, ...]:
         [(kept.name, kept.pose) for kept in document.poses],
         document.rest_positions.tobytes(),
     )
+
+
+def question_of(person: Person) -> str:
+    """What is asked."""
+    assert person.editor.question is not None
+    return person.editor.question.text
 
 
 def error_of(person: Person) -> str:

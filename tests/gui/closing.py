@@ -23,9 +23,14 @@ class _ClientMessage(ctypes.Structure):
     )
 
 
+# An X error ends a program unless somebody hears of it; a window that is gone needs no closing.
+_heard = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(lambda *_: 0)
+
+
 def request_close(display: str, window: int) -> None:
     """Ask the window to close (WM_DELETE_WINDOW); it may refuse or take its time."""
     x11 = ctypes.CDLL("libX11.so.6")
+    x11.XSetErrorHandler(_heard)
     x11.XOpenDisplay.restype = ctypes.c_void_p
     x11.XInternAtom.restype = ctypes.c_ulong
     connection = ctypes.c_void_p(x11.XOpenDisplay(display.encode()))

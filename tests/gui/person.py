@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from itertools import pairwise
 from pathlib import Path
 
@@ -55,6 +56,7 @@ class Person:
         self._environment = os.environ | {
             "DISPLAY": display.name,
             "SURFACE_DEFORMATION_PREFERENCES": str(preferences),
+            "SURFACE_DEFORMATION_STATE": str(folder / "state"),
             "LIBGL_ALWAYS_SOFTWARE": "1",
             "PYTHONPATH": str(ROOT),
             "XDG_SESSION_TYPE": "x11",
@@ -225,10 +227,19 @@ class Person:
 
     # The end
 
-    def quit(self, seconds: float = 20) -> int:
-        """Close the window as a window manager does; the program's exit code."""
+    def close(self) -> None:
+        """Press the window manager's button; the program may ask what becomes of changes."""
         request_close(self._display.name, self._window)
-        return self.process.wait(seconds)
+
+    def quit(self, seconds: float = 20) -> int:
+        """Close the window, whatever it asks: changes are kept; the program's exit code."""
+        deadline = time.monotonic() + seconds
+        while self.process.poll() is None:
+            assert time.monotonic() < deadline, f"the window does not close: {self.output()}"
+            self.close()
+            with suppress(subprocess.TimeoutExpired):
+                self.process.wait(1.0)
+        return self.process.returncode
 
     def leave(self) -> None:
         """End the program however it stands."""

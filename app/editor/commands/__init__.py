@@ -2,7 +2,7 @@
 
 from app.editor.commands.choices import SetBrush, SetKeep, SetMap, SetMarking, SetTool, SetTurn
 from app.editor.commands.command import Command, CommandError
-from app.editor.commands.files import Export, OpenMesh, OpenSession, SaveSession
+from app.editor.commands.files import ContinueWork, Export, OpenMesh, OpenSession, SaveSession
 from app.editor.commands.history import CancelGesture, Redo, Undo
 from app.editor.commands.marks import ChangeMarks, FindLimbs
 from app.editor.commands.parts import SetFollows, ShowPart
@@ -57,6 +57,7 @@ __all__ = [
     "ClearSoftness",
     "Command",
     "CommandError",
+    "ContinueWork",
     "DeletePose",
     "DuplicatePose",
     "Export",

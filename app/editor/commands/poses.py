@@ -94,6 +94,7 @@ class ExportPoses(Command):
     notice: ClassVar[str] = "Saving poses ..."
     path: Path | None = None
     between: int = 0
+    replace: bool = False
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ import polyscope.imgui as psim
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.editor.file_actions import default_export_path, default_session_path, open_command
+from app.model.session_files import session_name
 from app.window.file_dialogs import FileDialogs
 from app.window.panel.widgets import REST_OF_LINE, disabled, shares, shortened
 from app.window.scaling import scaled
@@ -26,8 +27,7 @@ class FileRows:
     def __init__(self, dialogs: FileDialogs) -> None:
         self._dialogs = dialogs
         self._open = ""
-        self._session: str | None = None
-        self._export: str | None = None
+        self._session, self._export = _PathField(), _PathField()
         self._used = ""
 
     def use(self, name: str) -> None:
@@ -39,7 +39,7 @@ class FileRows:
 
     def forget(self) -> None:
         """Another document is open: propose its own paths again."""
-        self._session = self._export = None
+        self._session, self._export = _PathField(), _PathField()
 
     def draw(self, editor: Editor, asked: list[c.Command]) -> None:
         """What was pressed goes into `asked`."""
@@ -73,16 +73,31 @@ class FileRows:
         self._open, go = _row("Open", "drop a file or type", self._open)
         if go and self._open.strip():
             asked.append(open_command(_path(self._open)))
-        proposed = self._session or _short(default_session_path(editor))
-        self._session, go = _row("Save session", "session (.json)", proposed)
+        proposed = default_session_path(editor)
+        session, go = self._session.draw("Save session", "session (.json)", proposed)
         if go or self._used == "save":
-            asked.append(c.SaveSession(_path(self._session)))
-        proposed = self._export or _short(default_export_path(editor))
-        self._export, go = _row("Export mesh", "deformed mesh", proposed)
+            asked.append(c.SaveSession(session_name(_path(session))))
+        proposed = default_export_path(editor)
+        mesh, go = self._export.draw("Export mesh", "deformed mesh", proposed)
         if go or self._used == "export":
-            asked.append(c.Export(_path(self._export)))
+            asked.append(c.Export(_path(mesh)))
         if self._used == "export poses":
-            asked.append(c.ExportPoses(_path(self._export), editor.blend.between))
+            asked.append(c.ExportPoses(_path(mesh), editor.blend.between))
+
+
+class _PathField:
+    """A row with a path that a person may type over, until another one is proposed."""
+
+    def __init__(self) -> None:
+        self._proposed: Path | None = None
+        self._text = ""
+
+    def draw(self, label: str, hint: str, proposed: Path) -> tuple[str, bool]:
+        """As _row, but that an empty text stands for what is proposed."""
+        if proposed != self._proposed or not self._text:
+            self._proposed, self._text = proposed, _short(proposed)
+        self._text, go = _row(label, hint, self._text)
+        return self._text, go
 
 
 def _recent(editor: Editor, asked: list[c.Command]) -> None:

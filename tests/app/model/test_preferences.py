@@ -22,9 +22,9 @@ def test_what_is_changed_is_there_again(path: Path) -> None:
     assert file.values == Preferences()
     assert not path.exists(), "nothing is written before something changes"
     file.change(interface_scale=2.0, window=(1000, 650))
-    file.change(recent=("/a/b.obj", "/ä.json"), dialogs=False)
+    file.change(recent=("/a/b.obj", "/ä.json"), dialogs=False, autosave=20)
     again = PreferencesFile(path)
-    assert again.values == Preferences(2.0, (1000, 650), False, ("/a/b.obj", "/ä.json"))
+    assert again.values == Preferences(2.0, (1000, 650), False, ("/a/b.obj", "/ä.json"), 20)
     assert again.fault == file.fault == ""
 
 
@@ -45,6 +45,7 @@ BROKEN: dict[str, tuple[Any, str]] = {
     "window": ({"window": [800]}, "window: expected a width and a height"),
     "no window": ({"window": [800, -1]}, "window: expected a width and a height"),
     "dialogs": ({"dialogs": "yes"}, "dialogs: expected true or false"),
+    "autosave": ({"autosave": 0}, "autosave: expected a number of seconds, above 0 and up to 3600"),
     "recent": ({"recent": [1]}, "recent[0]: expected a text"),
 }
 

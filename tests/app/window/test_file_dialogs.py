@@ -70,7 +70,7 @@ def test_a_session_is_saved_where_it_is_known_else_it_asks(
     assert clerk.asked[0].path == tmp_path / "m.json"
     clerk.path = tmp_path / "mine.json"
     command = files.poll(editor)
-    assert command == c.SaveSession(tmp_path / "mine.json")
+    assert command == c.SaveSession(tmp_path / "mine.json", replace=True), "the dialog has asked"
     editor.document.mesh.save(tmp_path / "m.ply", editor.positions)
     person.do(command)
     assert files.act("save", editor) == c.SaveSession(tmp_path / "mine.json")
@@ -87,11 +87,13 @@ def test_an_export_goes_where_the_last_one_went_until_another_document_is_open(
     assert files.act("export", person.editor) is None
     assert clerk.asked[0].path == tmp_path / "m-deformed.obj"
     clerk.path = tmp_path / "out.obj"
-    assert files.poll(person.editor) == c.Export(tmp_path / "out.obj")
+    command = files.poll(person.editor)
+    assert command == c.Export(tmp_path / "out.obj", replace=True)
+    person.do(command)
     assert files.act("export", person.editor) == c.Export(tmp_path / "out.obj")
     assert files.act("export as", person.editor) is None
     assert files.act("export poses", person.editor) == c.ExportPoses(tmp_path / "out.obj", 0)
-    files.forget()
+    person.editor.adopt(load_document(tmp_path / "out.obj", None))
     assert files.act("export", person.editor) is None
     person.editor.export_path = tmp_path / "told.obj"
     assert files.act("export", person.editor) == c.Export(tmp_path / "told.obj")
@@ -103,14 +105,9 @@ def test_a_suffix_is_added_but_never_over_a_file_that_nobody_was_asked_about(
     files = FileDialogs(clerk)
     files.act("save as", person.editor)
     clerk.path = tmp_path / "name"
-    assert files.poll(person.editor) == c.SaveSession(tmp_path / "name.json")
-    (tmp_path / "name.json").touch()
-    with pytest.raises(
-        c.CommandError, match=r"name\.json is there already; choose it by its whole"
-    ):
-        files.poll(person.editor)
+    assert files.poll(person.editor) == c.SaveSession(tmp_path / "name.json"), "asks if it is there"
     clerk.path = tmp_path / "name.json"  # the dialog has asked
-    assert files.poll(person.editor) == c.SaveSession(tmp_path / "name.json")
+    assert files.poll(person.editor) == c.SaveSession(tmp_path / "name.json", replace=True)
     clerk.path = tmp_path / "name.v2"  # which could not be told from a mesh
     assert files.poll(person.editor) == c.SaveSession(tmp_path / "name.v2.json")
 
@@ -124,19 +121,19 @@ def test_an_export_of_poses_asks_as_an_export_does_and_has_the_shapes_between(
     assert clerk.asked[0].saves
     assert clerk.asked[0].path == tmp_path / "m-deformed.obj"
     clerk.path = tmp_path / "film.glb"
-    assert files.poll(person.editor) == c.ExportPoses(tmp_path / "film.glb", 3)
-    assert files.act("export", person.editor) == c.Export(tmp_path / "film.glb")
+    assert files.poll(person.editor) == c.ExportPoses(tmp_path / "film.glb", 3, replace=True)
 
 
-def test_the_mesh_that_is_open_is_refused_once_and_asked_about_again(
+def test_a_dialog_does_not_say_that_a_file_is_the_mesh_that_is_open(
     clerk: Clerk, person: Person, tmp_path: Path
 ) -> None:
     files = FileDialogs(clerk)
-    files.act("export", person.editor)
-    clerk.path = tmp_path / "m.ply"
-    with pytest.raises(c.CommandError, match="the mesh that is open"):
-        files.poll(person.editor)
-    assert files.act("export", person.editor) is None
+    for purpose in ("export", "export poses"):
+        files.act(purpose, person.editor)
+        clerk.path = tmp_path / "m.ply"
+        command = files.poll(person.editor)
+        assert isinstance(command, c.Export | c.ExportPoses)
+        assert not command.replace
 
 
 def test_a_dialog_ends_with_the_document_that_it_is_about(person: Person) -> None:

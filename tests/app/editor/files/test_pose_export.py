@@ -21,7 +21,7 @@ from solver.errors import SolverError
 from solver.geometry.motions import motion, rotation
 from solver.types import FloatArray
 from tests.app.inline import InlineWorker
-from tests.app.person import Person, error_of, slab, state
+from tests.app.person import Person, error_of, question_of, slab, state
 
 UP = motion(rotation([0, 1, 0], -40), [1.0, 0, 3])
 TURNED = motion(rotation([0, 0, 1], 100), [1.0, 2, 3], centre=[19.0, 2, -1])
@@ -115,12 +115,18 @@ def test_a_gltf_holds_poses_and_what_is_between_as_morph_targets(
     np.testing.assert_allclose(load_mesh(tmp_path / "out.gltf").vertices, rest, atol=1e-6)
 
 
-def test_a_file_of_somebody_else_is_not_replaced(two: Person, tmp_path: Path) -> None:
-    (tmp_path / "out-turned.obj").write_text("mine")
+def test_a_file_of_somebody_else_is_asked_about_and_may_be_spared(
+    two: Person, tmp_path: Path
+) -> None:
+    for name in ("out-turned.obj", "out-2-up.obj"):
+        (tmp_path / name).write_text("mine")
     two.do(c.ExportPoses(tmp_path / "out.obj"))
-    assert "out-turned.obj is there already" in error_of(two)
-    assert files(tmp_path) == ["out-turned.obj"]
-    assert (tmp_path / "out-turned.obj").read_text() == "mine"
+    assert f"{tmp_path / 'out-turned.obj'} is there already" in question_of(two)
+    assert files(tmp_path) == ["out-2-up.obj", "out-turned.obj"]
+    two.answer("Save as out-3.obj")
+    assert {"out-3-turned.obj", "out-3-up.obj", "out-3.obj"} < set(files(tmp_path))
+    for name in ("out-turned.obj", "out-2-up.obj"):
+        assert (tmp_path / name).read_text() == "mine"
 
 
 def test_what_an_export_wrote_it_may_write_again_until_somebody_changes_it(
@@ -135,19 +141,23 @@ def test_what_an_export_wrote_it_may_write_again_until_somebody_changes_it(
     up.write_bytes(changed)
     os.utime(up, ns=(1, 1))
     two.do(c.ExportPoses(out))
-    assert "out-up.obj is there already" in error_of(two)
+    assert "out-up.obj was changed by somebody else meanwhile" in question_of(two)
     assert up.read_bytes() == changed
+    two.answer("Replace")
+    assert up.read_bytes() != changed
 
 
-def test_the_open_mesh_is_never_replaced(two: Person, tmp_path: Path) -> None:
+def test_the_open_mesh_is_not_replaced_unasked(two: Person, tmp_path: Path) -> None:
     document = two.editor.document
     before = (tmp_path / "bar.obj").read_bytes()
     two.do(c.ExportPoses(tmp_path / "bar.obj"))
-    assert "is the mesh that is open" in error_of(two)
+    assert "is the mesh that is open" in question_of(two)
+    two.answer("Cancel")
     (tmp_path / "bar.obj").rename(tmp_path / "a-up.obj")
     document.path = tmp_path / "a-up.obj"
     two.do(c.ExportPoses(tmp_path / "a.obj"))
-    assert "a-up.obj is the mesh that is open" in error_of(two)
+    assert "a-up.obj is the mesh that is open" in question_of(two)
+    two.answer("Cancel")
     assert (tmp_path / "a-up.obj").read_bytes() == before
     assert not (tmp_path / "a.obj").exists()
 

@@ -1,0 +1,1 @@
+"""Work that nobody has saved yet: kept in time, offered at the next start."""
