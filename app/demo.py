@@ -98,6 +98,7 @@ def demo(folder: Path) -> None:
     performer.stroke(DRAG)
     draw(folder / "after.png", "dragged: the hand up and in")
     editor.execute(c.Export(folder / "demo.obj"))
+    editor.complete()
     editor.execute(c.SaveSession(folder / "demo.json"))
     editor.close()
     if editor.message is not None and editor.message.kind == "error":

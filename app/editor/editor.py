@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import sys
+import time
+from collections.abc import Callable
 from pathlib import Path
 
 from app.editor.actions import ACTIONS
@@ -21,6 +24,8 @@ from app.workspace.workspace import Workspace
 from solver.errors import SolverError
 from solver.types import FloatArray
 
+PAUSE = 0.005  # seconds between two steps of a task that a script waits for
+
 
 class Editor(Workspace):
     """What a person does, and what they see of it.
@@ -37,7 +42,8 @@ class Editor(Workspace):
         self._warnings: Latest[tuple[Warning, ...]] = Latest()
 
     def step(self, frame: Input) -> None:
-        """One frame: advance a stroke or drag, take finished binds, pose the surface."""
+        """One frame: advance a stroke or drag and a task, take finished binds, pose the surface."""
+        self._try(self.tasks.advance)
         try:
             self._hand.advance(frame)
             self._refresh()
@@ -64,9 +70,25 @@ class Editor(Workspace):
         self.surface.settle(self.document)
         self._refresh()
 
+    def complete(self) -> None:
+        """For scripts: wait until no task is under way. What goes wrong is a message."""
+        while self.tasks.now is not None:
+            time.sleep(PAUSE)
+            self._try(self._refresh)
+            self._try(self.tasks.advance)
+        self._try(self._refresh)
+
     def close(self) -> None:
-        """End the worker."""
-        self.worker.close()
+        """End the task and the worker. A file that is being written is; what is not done is told.
+
+        Raises what goes wrong with it.
+        """
+        try:
+            undone = self.tasks.close()
+        finally:
+            self.worker.close()
+        if undone:
+            print(undone, file=sys.stderr)
 
     @property
     def captures(self) -> bool:
@@ -138,6 +160,13 @@ class Editor(Workspace):
     def hint(self) -> str:
         """What to do next, or what is missing before a drag is possible."""
         return hint(self, self.waits)
+
+    def _try(self, act: Callable[[], object]) -> None:
+        """What goes wrong becomes a message."""
+        try:
+            act()
+        except (SolverError, OSError) as error:
+            self.say(str(error), "error")
 
     def _refresh(self) -> None:
         self.surface.follow(self.document, self.captures, self.dragging)

@@ -9,11 +9,15 @@ from pathlib import Path
 from app.bundled import ASSETS, writable
 from app.editor import commands as c
 from app.editor.action import Actions
+from app.editor.solved import solved
 from app.model.document import Document
 from app.model.session import read_session, to_document, write_session
 from app.model.settings import affordable_level
+from app.worker.errand import Snapshot
+from app.worker.snapshot import snapshot
+from app.workspace.tasks import Steps, in_background
 from app.workspace.workspace import Workspace
-from solver import load_mesh
+from solver import Mesh, load_mesh
 from solver.errors import SolverError
 from solver.mesh.progress import Progress
 
@@ -65,9 +69,14 @@ def save_session(work: Workspace, command: c.SaveSession) -> None:
 def export(work: Workspace, command: c.Export) -> None:
     path = command.path or default_export_path(work)
     spare_mesh(work, path)
-    work.surface.settle(work.document)
+    steps = _export(work, path, work.document.mesh, snapshot(work.document))
+    work.tasks.begin(f"Exporting {path.name}", steps)
+
+
+def _export(work: Workspace, path: Path, mesh: Mesh, shape: Snapshot) -> Steps[None]:
+    positions = yield from solved(work, shape)
     with _recent(work, path):
-        work.document.mesh.save(path, work.positions, progress=work.progress)
+        yield from in_background(lambda tell: mesh.save(path, positions, progress=tell))
     work.say(f"Exported {path}")
 
 

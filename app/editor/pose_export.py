@@ -9,13 +9,14 @@ from pathlib import Path
 from app.editor import commands as c
 from app.editor.action import Actions, check_between
 from app.editor.file_actions import default_export_path, spare_mesh
+from app.editor.solved import solved
 from app.model.document import Document
 from app.model.handles import Pose
-from app.model.history import Gesture
 from app.model.poses import REST_NAME, blended_pose
+from app.worker.snapshot import snapshot
+from app.workspace.tasks import Steps, in_background
 from app.workspace.workspace import FileState, Workspace
 from solver.mesh.mesh import pose_paths
-from solver.mesh.progress import Progress, portion, silent
 from solver.types import FloatArray
 
 SOLVING = 0.7  # of the time an export takes, about
@@ -23,18 +24,26 @@ SOLVING = 0.7  # of the time an export takes, about
 
 def export_poses(work: Workspace, command: c.ExportPoses) -> None:
     path = command.path or default_export_path(work)
-    shapes = poses_to_save(work.document, path, check_between(command.between))
-    beside = [Path(file) for file in pose_paths(path, shapes).values()]
+    poses = poses_to_save(work.document, path, check_between(command.between))
+    beside = [Path(file) for file in pose_paths(path, poses).values()]
     for file in (path, *beside):
         spare_mesh(work, file)
     check_free(beside, work.written)
-    progress = work.progress or silent
-    solved = _solved(work, shapes, portion(progress, 0.0, SOLVING))
-    saving = portion(progress, SOLVING, 1.0)
-    work.document.mesh.save(path, work.positions, solved, saving)
+    work.tasks.begin(f"Exporting {path.name}", _export(work, path, poses, beside))
+
+
+def _export(work: Workspace, path: Path, poses: dict[str, Pose], beside: list[Path]) -> Steps[None]:
+    mesh, shown, count = work.document.mesh, snapshot(work.document), len(work.document.poses)
+    positions = yield from solved(work, shown, 0.0)
+    found: dict[str, FloatArray] = {}
+    for name, pose in poses.items():
+        part = SOLVING * (len(found) + 1) / (len(poses) + 1)
+        found[name] = yield from solved(work, shown.posed(pose), part)
+    check_free(beside, work.written)  # once more: it may have taken its time
+    yield from in_background(lambda tell: mesh.save(path, positions, found, tell), SOLVING)
     work.written |= {file.resolve(): _state(file) for file in beside}
     beside_it = f", {len(beside)} files beside it" if beside else ""
-    work.say(f"Exported {path} with {len(work.document.poses)} poses{beside_it}")
+    work.say(f"Exported {path} with {count} poses{beside_it}")
 
 
 def poses_to_save(document: Document, path: Path, between: int = 0) -> dict[str, Pose]:
@@ -94,28 +103,6 @@ def _steps(document: Document, between: int) -> Iterator[tuple[str, str, Pose]]:
             pose = blended_pose(start, end, part / parts, centres)
             yield "", f"{name} {part}/{parts}", pose
         yield name, name, end
-
-
-def _solved(work: Workspace, poses: dict[str, Pose], tell: Progress) -> dict[str, FloatArray]:
-    """Positions (n, 3) of each; the pose and the surface on screen are afterwards what they were.
-
-    Raises SolverError.
-    """
-    found: dict[str, FloatArray] = {}
-    gesture, parts = Gesture(work.document), len(poses) + 1
-
-    def settle() -> FloatArray:
-        work.surface.settle(work.document, lambda: tell(len(found) / parts))
-        return work.positions
-
-    try:
-        for name, pose in poses.items():
-            gesture.change("pose", pose)
-            found[name] = settle()
-    finally:
-        gesture.cancel()
-    settle()
-    return found
 
 
 POSE_EXPORT_ACTIONS: Actions = {c.ExportPoses: export_poses}

@@ -22,7 +22,7 @@ from app.model.preferences import PreferencesFile, preferences_path
 from app.signals import told_to_end
 from app.viewpoint.camera import Camera
 from app.window.file_dialogs import FileDialogs
-from app.window.messages import Messages, overlay
+from app.window.messages import Messages, draw_task, overlay
 from app.window.mouse_and_keys import read_mouse, read_shortcuts
 from app.window.overlay import draw_overlay
 from app.window.panel import WIDTH, Panel
@@ -35,6 +35,7 @@ from app.window.shortcuts import SetInterface, WindowAction
 from app.window.studio import PICTURES, Studio
 from app.window.view import View
 from app.worker.client import ProcessWorker, Worker
+from app.workspace.tasks import Cancelled
 from solver.errors import SolverError
 
 FRAME_SECONDS = 1 / 60
@@ -60,7 +61,11 @@ def _run(worker: Worker, mesh: Path | None, session: Path | None, export: Path |
     for _ in range(2):  # the first frame of a window may come before it is shown
         ps.frame_tick()
     told = ProgressFrames(c.OpenMesh.notice, lambda: None)
-    editor = Editor(load_document(mesh, session, told), worker, session, export)
+    try:
+        document = load_document(mesh, session, told)
+    except Cancelled:  # before there was anything
+        return
+    editor = Editor(document, worker, session, export)
     if editor.document.handles:  # everything is ready for it
         editor.execute(c.SetTool("drag"))
     window = Window(editor, remembered)
@@ -211,8 +216,13 @@ class Window:
             self._do(command)
 
     def _overlay(self) -> None:
-        """What is about to take its time, else the last message."""
+        """What is about to take its time, else what goes on and the last message."""
         if self._waiting:
             overlay("loading", self._waiting[0].notice)
-        else:
-            self._messages.draw(self._editor.message)
+            return
+        task, above = self._editor.tasks.now, 0.0
+        if task is not None:
+            above, cancelled = draw_task(task)
+            if cancelled:
+                self._execute(c.CancelTask())
+        self._messages.draw(self._editor.message, above)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from app.worker.requests import Request, Result, result_of
+from app.worker.errand import Errand, Snapshot
+from app.worker.requests import Failure, Refined, Request, Result, result_of
 from app.worker.service import SolverService
 
 
@@ -27,6 +28,16 @@ class InlineWorker:
     def drop(self) -> None:
         """See Worker."""
         self._results.clear()
+
+    def errand(self, snapshot: Snapshot) -> Errand:
+        """See Worker; returns when it is done. What is bound stays so."""
+        service, done = SolverService(), Errand(snapshot)
+        for request in (snapshot.bind, snapshot.refinement):
+            result = result_of(request, service.answer(request))
+            if isinstance(result, Failure | Refined):
+                done.result = result
+                return done
+        return done
 
     @property
     def busy(self) -> bool:

@@ -9,8 +9,13 @@ import numpy as np
 
 from app.editor import commands as c
 from app.editor.action import Actions
+from app.editor.solved import solved
+from app.model.document import Document
 from app.model.handles import Pose
 from app.model.rest import RestShape, affine_fit, composed, flattens, seen_from
+from app.worker.errand import Snapshot
+from app.worker.snapshot import snapshot
+from app.workspace.tasks import Steps
 from app.workspace.workspace import Workspace
 
 
@@ -23,8 +28,17 @@ def make_rest(work: Workspace, command: c.MakeRest) -> None:
             raise c.CommandError(
                 f"{handle.name} is flattened: from such a shape nothing leads back"
             )
-    work.surface.settle(document)
-    rest = document.new_rest(work.positions)
+    work.tasks.begin("Making the rest shape", _make_rest(work, document, snapshot(document)))
+
+
+def _make_rest(work: Workspace, document: Document, shape: Snapshot) -> Steps[None]:
+    pose = document.pose
+    positions = yield from solved(work, shape)
+    while work.interaction is not None:  # the hand is in the middle of something
+        yield None
+    if work.document is not document or document.rest_positions is not shape.bind.vertices:
+        raise c.CommandError("the rest shape has changed meanwhile: none was made")
+    rest = document.new_rest(positions)
     _set(work, "Make rest shape", rest, lambda other: seen_from(other, pose))
 
 

@@ -1,0 +1,37 @@
+"""Steps that wait for a shape of the surface."""
+
+from __future__ import annotations
+
+from app.worker.errand import Errand, Snapshot
+from app.worker.requests import Failure, checked
+from app.workspace.tasks import Steps
+from app.workspace.workspace import Workspace
+from solver.types import FloatArray
+
+
+def solved(work: Workspace, shape: Snapshot, fraction: float | None = None) -> Steps[FloatArray]:
+    """Positions (n, 3) of a snapshot, whatever the document does meanwhile.
+
+    Where the surface on screen comes by them nobody else is asked.
+    fraction: how far the task is all the while. Raises SolverError.
+    """
+    errand: Errand | None = None
+    try:
+        while (positions := work.surface.known(shape)) is None:
+            if errand is None and not work.surface.awaits(shape, work.document):
+                errand = work.worker.errand(shape)
+            if errand is not None and errand.result is not None:
+                return _positions(errand)
+            yield fraction
+        return positions
+    finally:
+        if errand is not None:
+            errand.wanted = False
+
+
+def _positions(errand: Errand) -> FloatArray:
+    result = errand.result
+    assert result is not None
+    if isinstance(result, Failure):
+        raise result.error
+    return checked(result.positions)
