@@ -87,8 +87,8 @@ class Editor(Workspace):
             undone = self.tasks.close()
         finally:
             self.worker.close()
-        if undone:
-            print(undone, file=sys.stderr)
+        for name in undone:
+            print(f"{name} was not finished", file=sys.stderr)
 
     @property
     def captures(self) -> bool:

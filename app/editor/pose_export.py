@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
 
@@ -13,9 +14,11 @@ from app.editor.solved import solved
 from app.model.document import Document
 from app.model.handles import Pose
 from app.model.poses import REST_NAME, blended_pose
+from app.worker.errand import Snapshot
 from app.worker.snapshot import snapshot
 from app.workspace.tasks import Steps, in_background
 from app.workspace.workspace import FileState, Workspace
+from solver import Mesh
 from solver.mesh.mesh import pose_paths
 from solver.types import FloatArray
 
@@ -23,27 +26,42 @@ SOLVING = 0.7  # of the time an export takes, about
 
 
 def export_poses(work: Workspace, command: c.ExportPoses) -> None:
-    path = command.path or default_export_path(work)
-    poses = poses_to_save(work.document, path, check_between(command.between))
+    document, path = work.document, command.path or default_export_path(work)
+    poses = poses_to_save(document, path, check_between(command.between))
     beside = [Path(file) for file in pose_paths(path, poses).values()]
     for file in (path, *beside):
         spare_mesh(work, file)
     check_free(beside, work.written)
-    work.tasks.begin(f"Exporting {path.name}", _export(work, path, poses, beside))
+    shown = snapshot(document)
+    shapes = {name: shown.posed(pose) for name, pose in poses.items()}
+    done = f"Exported {path} with {len(document.poses)} poses"
+    steps = _solve_and_save(work, _Saving(document.mesh, path, beside, done), shown, shapes)
+    work.tasks.begin(f"Exporting {path.name}", steps)
 
 
-def _export(work: Workspace, path: Path, poses: dict[str, Pose], beside: list[Path]) -> Steps[None]:
-    mesh, shown, count = work.document.mesh, snapshot(work.document), len(work.document.poses)
+@dataclass(frozen=True)
+class _Saving:
+    """What is saved where. done: what is said afterwards."""
+
+    mesh: Mesh
+    path: Path
+    beside: list[Path]
+    done: str
+
+
+def _solve_and_save(
+    work: Workspace, saving: _Saving, shown: Snapshot, shapes: dict[str, Snapshot]
+) -> Steps[None]:
     positions = yield from solved(work, shown, 0.0)
     found: dict[str, FloatArray] = {}
-    for name, pose in poses.items():
-        part = SOLVING * (len(found) + 1) / (len(poses) + 1)
-        found[name] = yield from solved(work, shown.posed(pose), part)
+    for name, shape in shapes.items():
+        part = SOLVING * (len(found) + 1) / (len(shapes) + 1)
+        found[name] = yield from solved(work, shape, part)
+    mesh, path, beside = saving.mesh, saving.path, saving.beside
     check_free(beside, work.written)  # once more: it may have taken its time
     yield from in_background(lambda tell: mesh.save(path, positions, found, tell), SOLVING)
     work.written |= {file.resolve(): _state(file) for file in beside}
-    beside_it = f", {len(beside)} files beside it" if beside else ""
-    work.say(f"Exported {path} with {count} poses{beside_it}")
+    work.say(f"{saving.done}, {len(beside)} files beside it" if beside else saving.done)
 
 
 def poses_to_save(document: Document, path: Path, between: int = 0) -> dict[str, Pose]:

@@ -28,6 +28,7 @@ class SolverProcess:
         self._process: BaseProcess | None = None
         self._courier: Courier | None = None
         self._pulse: Pulse | None = None
+        self._killed: BaseProcess | None = None
 
     @property
     def pulse(self) -> Pulse:
@@ -66,6 +67,8 @@ class SolverProcess:
 
         Raises ProcessDied, or OSError where there was no memory to hand the request over.
         """
+        if self._killed is not None and not self._killed.is_alive():  # asking takes note of it
+            self._killed = None
         if self._courier is None or self._process is None:
             return None
         answer = self._courier.answer()
@@ -89,6 +92,7 @@ class SolverProcess:
             process.kill()
             courier.end(grace)
             process.join(grace)
+            self._killed = process
 
 
 @contextmanager

@@ -18,10 +18,6 @@ T = TypeVar("T")
 Steps = Generator[float | None, None, T]
 
 
-class Busy(SolverError):
-    """Something else is under way."""
-
-
 class Cancelled(SolverError):
     """Thrown into steps: a person takes back what they do."""
 
@@ -58,56 +54,60 @@ class Task:
 
 
 class Tasks:
-    """What is under way in a workspace: one task, or none.
+    """What is under way in a workspace: one task at a time, the others wait for their turn.
 
-    now: that one.
+    now: that one, None where nothing is.
     """
 
     def __init__(self, say: Callable[[str], None]) -> None:
         """say: what tells a person that one was cancelled."""
         self.now: Task | None = None
         self._say = say
+        self._waiting: dict[str, Steps[None]] = {}
 
     def begin(self, name: str, steps: Steps[None]) -> None:
-        """Do the first step. Raises Busy, or what goes wrong with it."""
+        """Do the first step, or wait, in place of one of this name. Raises what goes wrong."""
         if self.now is not None:
-            raise Busy(f"{self.now.name} is still under way; Esc cancels it")
+            self._waiting[name] = steps
+            return
         self.now = Task(name, steps)
         self.advance()
 
     def advance(self) -> None:
         """Once a frame: do a step. Raises what goes wrong with it; then the task is over."""
-        task = self.now
-        if task is None:
-            return
-        self.now = None  # unless it goes on
+        task, self.now = self.now, None
         try:
-            if not task.go_on():
+            if task is not None and not task.go_on():
                 self.now = task
         except Cancelled:
+            assert task is not None
             self._say(f"{task.name} was cancelled")
+        finally:
+            if self.now is None and self._waiting:
+                name = next(iter(self._waiting))
+                self.now = Task(name, self._waiting.pop(name))
 
     def cancel(self) -> None:
-        """Take back what is under way."""
+        """Take back what is under way; what waits for it begins."""
         if self.now is not None:
             self.now.throw(Cancelled())
             self.advance()
 
-    def close(self) -> str:
-        """End what is under way, but for a file that is being written; tells what was not done.
+    def close(self) -> list[str]:
+        """End all, but for a file that is being written; the names of what was not done.
 
         Raises what goes wrong.
         """
         task, self.now = self.now, None
-        if task is None:
-            return ""
-        task.throw(Closing())
+        undone, self._waiting = list(self._waiting), {}
+        over = task is None
         try:
-            while not task.go_on():
-                pass
+            while task is not None and not over:
+                task.throw(Closing())
+                over = task.go_on()
         except Closing:
-            return f"{task.name} was not finished"
-        return ""
+            return [task.name, *undone] if task is not None else undone
+        return undone
 
 
 def in_background(work: Callable[[Progress], T], start: float = 0.0) -> Steps[T]:

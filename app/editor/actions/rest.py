@@ -28,11 +28,11 @@ def make_rest(work: Workspace, command: c.MakeRest) -> None:
             raise c.CommandError(
                 f"{handle.name} is flattened: from such a shape nothing leads back"
             )
-    work.tasks.begin("Making the rest shape", _make_rest(work, document, snapshot(document)))
+    steps = _make_rest(work, document, snapshot(document), pose)
+    work.tasks.begin("Making the rest shape", steps)
 
 
-def _make_rest(work: Workspace, document: Document, shape: Snapshot) -> Steps[None]:
-    pose = document.pose
+def _make_rest(work: Workspace, document: Document, shape: Snapshot, pose: Pose) -> Steps[None]:
     positions = yield from solved(work, shape)
     while work.interaction is not None:  # the hand is in the middle of something
         yield None
