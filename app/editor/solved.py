@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from app.worker.errand import Errand, Snapshot
 from app.worker.requests import Failure, checked
 from app.workspace.tasks import Steps
@@ -18,7 +20,7 @@ def solved(work: Workspace, shape: Snapshot, fraction: float | None = None) -> S
     errand: Errand | None = None
     try:
         while (positions := work.surface.known(shape)) is None:
-            if errand is None and not work.surface.awaits(shape, work.document):
+            if errand is None and not _is_on_its_way(work, shape):
                 errand = work.worker.errand(shape)
             if errand is not None and errand.result is not None:
                 return _positions(errand)
@@ -27,6 +29,14 @@ def solved(work: Workspace, shape: Snapshot, fraction: float | None = None) -> S
     finally:
         if errand is not None:
             errand.wanted = False
+
+
+def _is_on_its_way(work: Workspace, shape: Snapshot) -> bool:
+    """Whether a snapshot is what the document asks for still, and is being worked at."""
+    document = work.document
+    same = document.bind_version == shape.bind.version and document.rigid == shape.rigid
+    transforms = document.pose.stacked(shape.bind.keys)
+    return same and work.worker.busy and np.array_equal(transforms, shape.transforms)
 
 
 def _positions(errand: Errand) -> FloatArray:

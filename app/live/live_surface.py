@@ -99,12 +99,6 @@ class LiveSurface:
             raise BindError(self.bind_error)
         return known_shape(shape, self.bound, self._refinements)
 
-    def awaits(self, shape: Snapshot, document: Document) -> bool:
-        """Whether a snapshot is what the document asks for still, and is on its way."""
-        same = self._requested == shape.bind.version and document.rigid == shape.rigid
-        transforms = document.pose.stacked(shape.bind.keys)
-        return same and self.worker.busy and np.array_equal(transforms, shape.transforms)
-
     def orient(
         self, document: Document, key: int, grabbed: FloatArray, target: FloatArray
     ) -> FloatArray:
