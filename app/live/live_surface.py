@@ -44,8 +44,7 @@ class LiveSurface:
     shows level 0, until the mouse is released.
 
     worker: what binds and refines.  version: grows with each change.
-    bound: the bind in use, None at rest.
-    bind_error: why the last bind failed, empty if it did not.
+    bound: the bind in use, None at rest.  bind_error: why the last one failed, empty if it did not.
     orient_seconds, pose_seconds: what the last drag frame spent.
     """
 

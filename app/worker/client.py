@@ -189,15 +189,13 @@ class ProcessWorker:
             if isinstance(result, Refined | Failure):  # else it was bound for what comes now
                 job.errand.result = result
         elif job.wanted:
-            if not (isinstance(result, Failure) and self._superseded(job)):
+            superseded = isinstance(job.request, BindRequest) and self._queue.bind is not None
+            if not (isinstance(result, Failure) and superseded):
                 self._results.append(result)
             if isinstance(result, Bound):
                 self._used = result.request
         elif isinstance(result, Failure) and job.request is self._used:
             self._give_up(RefineRequest, result.error)  # it needed that bind
-
-    def _superseded(self, job: Job) -> bool:
-        return isinstance(job.request, BindRequest) and self._queue.bind is not None
 
     def _fail(self, reason: str) -> None:
         if self._running is not None:

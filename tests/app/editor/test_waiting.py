@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import os
 import signal
-import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -16,21 +15,9 @@ from app.editor import commands as c
 from app.model.handles import Pose
 from app.worker import pulse
 from app.worker.client import ProcessWorker
-from app.worker.service import bind
-from app.worker.snapshot import snapshot
-from solver import Mesh, load_mesh
-from solver.types import FloatArray
-from tests.app.inline import InlineWorker, SlowWorker
+from tests.app.editor.waiting import BESIDE, asked, bent, is_over, saved, text, until
 from tests.app.person import IdleWorker, Person, error_of, slab, state, transforms
 from tests.app.worker.work import POSIX, WAIT, frozen, is_gone, stop
-
-BESIDE = [10, 2, 0]
-
-
-@pytest.fixture
-def slow(tmp_path: Path) -> Person:
-    """The bar, bent; its worker takes its time with what is asked beside the surface."""
-    return bent(tmp_path, SlowWorker())
 
 
 @pytest.fixture
@@ -44,44 +31,6 @@ def solver_process() -> Iterator[ProcessWorker]:
     made = ProcessWorker()
     yield made
     made.close()
-
-
-def bent(folder: Path, worker: InlineWorker | ProcessWorker) -> Person:
-    mesh = slab(20, 4, 2.0)
-    mesh.save(folder / "bar.obj", mesh.vertices)
-    person = Person(load_mesh(folder / "bar.obj"), folder / "bar.obj", worker=worker)
-    person.ready_bar()
-    person.stroke([19, 2, 0], [16, 8, 0])
-    person.editor.settle()
-    return person
-
-
-def asked(person: Person) -> FloatArray:
-    """The surface that the document asks for."""
-    shape = snapshot(person.editor.document)
-    return bind(shape.bind).pose(list(shape.transforms), rigid=shape.rigid)
-
-
-def until(person: Person, condition: Callable[[], bool]) -> None:
-    """Frames, until it holds."""
-    deadline = time.monotonic() + WAIT
-    while not condition():
-        assert time.monotonic() < deadline
-        person.frame(BESIDE)
-        time.sleep(0.002)
-
-
-def is_over(person: Person) -> Callable[[], bool]:
-    return lambda: person.editor.tasks.now is None
-
-
-def saved(path: Path) -> FloatArray:
-    return load_mesh(path).vertices
-
-
-def text(person: Person) -> str:
-    assert person.editor.message is not None
-    return person.editor.message.text
 
 
 def test_what_is_at_rest_is_exported_without_the_solver(tmp_path: Path) -> None:
@@ -181,79 +130,6 @@ def test_closing_waits_for_no_solver_and_says_what_was_not_done(
     assert is_gone(pid)
     assert capsys.readouterr().err == "Exporting out.obj was not finished\n"
     assert not (tmp_path / "out.obj").exists()
-
-
-class HeldSave:
-    """Saves a mesh, once it may."""
-
-    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.begun, self.may = threading.Event(), threading.Event()
-        save = Mesh.save
-
-        def held(mesh: Mesh, *arguments: object, **more: object) -> None:
-            self.begun.set()
-            assert self.may.wait(WAIT)
-            save(mesh, *arguments, **more)  # type: ignore[arg-type]
-
-        monkeypatch.setattr(Mesh, "save", held)
-
-
-def test_frames_go_on_while_a_file_is_written(
-    slow: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    shown, held = slow.editor.positions, HeldSave(monkeypatch)
-    slow.editor.execute(c.Export(tmp_path / "out.obj"))
-    assert held.begun.wait(WAIT)
-    slow.stroke([16, 8, 0], [14, 9, 0])
-    assert not np.array_equal(slow.editor.positions, shown)
-    held.may.set()
-    until(slow, is_over(slow))
-    np.testing.assert_allclose(saved(tmp_path / "out.obj"), shown, atol=1e-8)
-
-
-def test_a_file_that_is_being_written_is_whole_when_the_window_is_closed(
-    slow: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    shown, held = slow.editor.positions, HeldSave(monkeypatch)
-    slow.editor.execute(c.Export(tmp_path / "out.obj"))
-    assert held.begun.wait(WAIT)
-    held.may.set()
-    slow.editor.close()
-    np.testing.assert_allclose(saved(tmp_path / "out.obj"), shown, atol=1e-8)
-
-
-def test_one_that_is_cancelled_while_it_is_written_leaves_the_old_file(
-    slow: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    (tmp_path / "out.obj").write_text("old")
-    held = HeldSave(monkeypatch)
-    slow.editor.execute(c.Export(tmp_path / "out.obj"))
-    assert held.begun.wait(WAIT)
-    slow.editor.execute(c.CancelGesture())
-    held.may.set()
-    until(slow, is_over(slow))
-    assert text(slow) == "Exporting out.obj was cancelled"
-    assert [path.name for path in tmp_path.iterdir() if path.name != "bar.obj"] == ["out.obj"]
-    assert (tmp_path / "out.obj").read_text() == "old"
-
-
-def test_escape_takes_back_a_drag_first_and_the_button_the_export(
-    slow: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    held, pose = HeldSave(monkeypatch), slow.editor.document.pose
-    slow.editor.execute(c.Export(tmp_path / "out.obj"))
-    for _ in slow.hold([[16, 8, 0], [14, 9, 0]]):
-        pass
-    slow.editor.execute(c.CancelGesture())
-    assert slow.editor.document.pose == pose
-    assert slow.editor.tasks.now is not None
-    for _ in slow.hold([[16, 8, 0], [14, 9, 0]]):
-        pass
-    slow.editor.execute(c.CancelTask())
-    assert slow.editor.captures
-    held.may.set()
-    until(slow, is_over(slow))
-    assert text(slow) == "Exporting out.obj was cancelled"
 
 
 @POSIX
