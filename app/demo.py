@@ -99,6 +99,7 @@ def demo(folder: Path) -> None:
     performer.stroke(DRAG)
     draw(folder / "after.png", "dragged: the hand up and in")
     editor.execute(c.Export(folder / "demo.obj", replace=True))
+    editor.complete()
     editor.execute(c.SaveSession(folder / "demo.json", replace=True))
     editor.close()
     if editor.message is not None and editor.message.kind == "error":

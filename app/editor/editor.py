@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -22,6 +24,8 @@ from app.workspace.operator import Operator
 from app.workspace.workspace import Workspace
 from solver.errors import SolverError
 from solver.types import FloatArray
+
+PAUSE = 0.005  # seconds between two steps of a task that a script waits for
 
 
 class Editor(Workspace):
@@ -45,9 +49,10 @@ class Editor(Workspace):
         self._warnings: Latest[tuple[Warning, ...]] = Latest()
 
     def step(self, frame: Input) -> None:
-        """One frame: advance a stroke or drag, take finished binds, pose the surface."""
+        """One frame: advance a stroke or drag and a task, take finished binds, pose the surface."""
         if self.question is not None:
             frame = Input(None, frame.camera)
+        self._try(self.tasks.advance)
         try:
             self._hand.advance(frame)
             self._refresh()
@@ -63,15 +68,13 @@ class Editor(Workspace):
         """Do what a person asks for, or ask first."""
         if self.question is not None:
             return
-        try:
-            if command.interrupts:
-                self.finish()
-            ACTIONS[type(command)](self, command)
-            self._refresh()
-        except Asks as asks:
-            self.ask(asks.question)
-        except (SolverError, OSError) as error:
-            self.say(str(error), "error")
+        self._try(lambda: self._do(command))
+
+    def _do(self, command: Command) -> None:
+        if command.interrupts:
+            self.finish()
+        ACTIONS[type(command)](self, command)
+        self._refresh()
 
     def ask(self, question: Question) -> None:
         """Put a question, in place of the one that stands; a stroke or drag in progress ends."""
@@ -88,9 +91,25 @@ class Editor(Workspace):
         super().settle()
         self._refresh()
 
+    def complete(self) -> None:
+        """For scripts: wait until no task is under way. What goes wrong is a message."""
+        while self.tasks.now is not None:
+            time.sleep(PAUSE)
+            self._try(self._refresh)
+            self._try(self.tasks.advance)
+        self._try(self._refresh)
+
     def close(self) -> None:
-        """End the worker."""
-        self.worker.close()
+        """End the task and the worker. A file that is being written is; what is not done is told.
+
+        Raises what goes wrong with it.
+        """
+        try:
+            undone = self.tasks.close()
+        finally:
+            self.worker.close()
+        for name in undone:
+            print(f"{name} was not finished", file=sys.stderr)
 
     @property
     def captures(self) -> bool:
@@ -162,6 +181,15 @@ class Editor(Workspace):
     def hint(self) -> str:
         """What to do next, or what is missing before a drag is possible."""
         return hint(self, self.waits)
+
+    def _try(self, act: Callable[[], object]) -> None:
+        """What goes wrong becomes a message, what has to be asked first a question."""
+        try:
+            act()
+        except Asks as asks:
+            self.ask(asks.question)
+        except (SolverError, OSError) as error:
+            self.say(str(error), "error")
 
     def _refresh(self) -> None:
         self.surface.follow(self.document, self.captures, self.dragging)

@@ -10,14 +10,14 @@ from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
 
-from app.editor import commands as c
 from app.editor.question import CANCEL, Answer, Asks, Question
+from app.editor.replacing import Saving
 from app.model.free_path import free_path
 from solver.errors import FileError
 
 
 @contextmanager
-def or_elsewhere(command: c.SaveSession | c.Export, path: Path) -> Iterator[None]:
+def or_elsewhere(command: Saving, path: Path) -> Iterator[None]:
     """Within, `path` is written. Raises Asks where it cannot be, FileError without another idea."""
     try:
         yield

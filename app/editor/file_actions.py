@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
-from app.bundled import is_bundled, writable
 from app.editor import commands as c
 from app.editor.action import Actions
 from app.editor.elsewhere import or_elsewhere
+from app.editor.file_paths import default_export_path, default_session_path, recent
+from app.editor.mesh_saving import MeshSaving
 from app.editor.opening import (
     Beside,
     carried_over,
@@ -19,16 +18,19 @@ from app.editor.opening import (
     unusable,
 )
 from app.editor.question import Asks
-from app.editor.replacing import ask_before, check_mesh_files, check_session_file, whole
+from app.editor.replacing import ask_before, check_session_file, whole
+from app.editor.solved import settled, solved
 from app.model.carrying import MeshChanged, on_mesh
 from app.model.document import Document
+from app.model.handles import Pose
 from app.model.session import read_session, write_session
 from app.model.session_mesh import Carry
 from app.model.settings import affordable_level
 from app.unsaved.places import read_unsaved
+from app.worker.errand import Snapshot
+from app.workspace.tasks import Steps
 from app.workspace.workspace import Workspace
 from solver import load_mesh
-from solver.errors import SolverError
 from solver.mesh.progress import Progress
 
 
@@ -117,44 +119,15 @@ def save_session(work: Workspace, command: c.SaveSession) -> None:
 
 def export(work: Workspace, command: c.Export) -> None:
     path = command.path or default_export_path(work)
-    check_mesh_files([path])
-    ask_before(work, command, path, lambda file: [file])
-    work.settle()
-    with or_elsewhere(command, path), recent(work, path):
-        work.document.mesh.save(path, work.positions, progress=work.progress)
-    work.own.add(path)
-    work.exported = path
-    work.say(f"Exported {whole(path)}")
+    saving = MeshSaving(work, command, path, lambda file: [file], work.document.mesh, work.own)
+    saving.check()
+    work.tasks.begin(f"Exporting {path.name}", _export(saving, settled(work)))
 
 
-def default_session_path(work: Workspace) -> Path:
-    """The session that was opened or saved, else one beside the mesh."""
-    return writable(work.session_path or work.document.path.with_suffix(".json"))
-
-
-def default_export_path(work: Workspace) -> Path:
-    """Where the last export went, else where the program was told, or one beside the mesh.
-
-    The latter in the format of the mesh where that keeps what else its file holds.
-    """
-    if work.exported is not None:
-        return work.exported
-    mesh = work.document.path
-    suffix = ".obj" if work.document.mesh.source is None else mesh.suffix
-    return work.export_path or writable(mesh.with_name(f"{mesh.stem}-deformed{suffix}"))
-
-
-@contextmanager
-def recent(work: Workspace, path: Path) -> Iterator[None]:
-    """A file that could be used is among the recent ones, one that is gone no longer is."""
-    try:
-        yield
-    except (SolverError, OSError):
-        if not path.exists():
-            work.recent.drop(path)
-        raise
-    if not is_bundled(path):
-        work.recent.add(path)
+def _export(saving: MeshSaving, shape: Steps[tuple[Snapshot, Pose]]) -> Steps[None]:
+    positions = yield from solved(saving.work, (yield from shape)[0])
+    yield from saving.steps(positions)
+    saving.work.say(saving.done)
 
 
 def _announce(work: Workspace, path: Path) -> None:

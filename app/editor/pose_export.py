@@ -8,40 +8,44 @@ from pathlib import Path
 
 from app.editor import commands as c
 from app.editor.action import Actions, check_between
-from app.editor.file_actions import default_export_path, recent
-from app.editor.replacing import ask_before, check_mesh_files, whole
+from app.editor.file_paths import default_export_path
+from app.editor.mesh_saving import MeshSaving
+from app.editor.solved import settled, solved
 from app.model.document import Document
 from app.model.handles import Pose
-from app.model.history import Gesture
 from app.model.poses import REST_NAME, blended_pose
+from app.worker.errand import Snapshot
+from app.workspace.tasks import Steps
 from app.workspace.workspace import Workspace
 from solver.mesh.mesh import pose_paths
-from solver.mesh.progress import Progress, portion, silent
 from solver.types import FloatArray
 
 SOLVING = 0.7  # of the time an export takes, about
 
 
 def export_poses(work: Workspace, command: c.ExportPoses) -> None:
-    path = command.path or default_export_path(work)
-    shapes = poses_to_save(work.document, path, check_between(command.between))
+    document, path = work.document, command.path or default_export_path(work)
+    poses = poses_to_save(document, path, check_between(command.between))
 
     def files(file: Path) -> list[Path]:
-        return [file, *map(Path, pose_paths(file, shapes).values())]
+        return [file, *map(Path, pose_paths(file, poses).values())]
 
-    check_mesh_files(files(path))
-    ask_before(work, command, path, files)
-    progress = work.progress or silent
-    solved = _solved(work, shapes, portion(progress, 0.0, SOLVING))
-    saving = portion(progress, SOLVING, 1.0)
-    with recent(work, path):
-        work.document.mesh.save(path, work.positions, solved, saving)
-    for file in files(path):
-        work.own.add(file)
-    work.exported = path
-    beside = len(files(path)) - 1
-    beside_it = f", {beside} files beside it" if beside else ""
-    work.say(f"Exported {whole(path)} with {len(work.document.poses)} poses{beside_it}")
+    saving = MeshSaving(work, command, path, files, document.mesh, work.own)
+    saving.check()
+    work.tasks.begin(f"Exporting {path.name}", _export(saving, settled(work), poses))
+
+
+def _export(
+    saving: MeshSaving, shape: Steps[tuple[Snapshot, Pose]], poses: dict[str, Pose]
+) -> Steps[None]:
+    work, (shown, _) = saving.work, (yield from shape)
+    positions = yield from solved(work, shown, 0.0)
+    found: dict[str, FloatArray] = {}
+    for name, pose in poses.items():
+        part = SOLVING * (len(found) + 1) / (len(poses) + 1)
+        found[name] = yield from solved(work, shown.posed(pose), part)
+    yield from saving.steps(positions, found, SOLVING)
+    work.say(f"{saving.done}, with {len(poses)} poses")
 
 
 def poses_to_save(document: Document, path: Path, between: int = 0) -> dict[str, Pose]:
@@ -87,29 +91,6 @@ def _steps(document: Document, between: int) -> Iterator[tuple[str, str, Pose]]:
             pose = blended_pose(start, end, part / parts, centres)
             yield "", f"{name} {part}/{parts}", pose
         yield name, name, end
-
-
-def _solved(work: Workspace, poses: dict[str, Pose], tell: Progress) -> dict[str, FloatArray]:
-    """Positions (n, 3) of each; the pose and the surface on screen are afterwards what they were.
-
-    Raises SolverError.
-    """
-    work.settle()
-    found: dict[str, FloatArray] = {}
-    gesture, parts = Gesture(work.document), len(poses) + 1
-
-    def settle() -> FloatArray:
-        work.surface.settle(work.document, lambda: tell(len(found) / parts))
-        return work.positions
-
-    try:
-        for name, pose in poses.items():
-            gesture.change("pose", pose)
-            found[name] = settle()
-    finally:
-        gesture.cancel()
-    settle()
-    return found
 
 
 POSE_EXPORT_ACTIONS: Actions = {c.ExportPoses: export_poses}

@@ -25,11 +25,17 @@ def check_session_file(work: Workspace, path: Path) -> None:
         raise c.CommandError(f"{whole(path)} is no session of this program; expected another name")
 
 
-def check_mesh_files(paths: Sequence[Path]) -> None:
-    """Raise CommandError where a mesh would replace a session."""
-    for path in paths:
-        if path.is_file() and is_session(path):
-            raise c.CommandError(f"{whole(path)} is a session; a mesh needs another name")
+def before_mesh(
+    work: Workspace,
+    command: c.Export | c.ExportPoses,
+    path: Path,
+    files: Callable[[Path], Sequence[Path]],
+) -> None:
+    """See ask_before; raise CommandError where a mesh would replace a session."""
+    for file in files(path):
+        if file.is_file() and is_session(file):
+            raise c.CommandError(f"{whole(file)} is a session; a mesh needs another name")
+    ask_before(work, command, path, files)
 
 
 def ask_before(

@@ -10,9 +10,11 @@ import numpy as np
 from app.live.bound_handles import oriented, placed
 from app.live.pace import Pace
 from app.live.refinements import Refinements, at_rest
+from app.live.shapes import known_shape
 from app.model.document import Document, clock
 from app.model.handles import GRAB, Pose
 from app.worker.client import Worker
+from app.worker.errand import Snapshot
 from app.worker.requests import (
     BindRequest,
     Bound,
@@ -21,9 +23,9 @@ from app.worker.requests import (
     RefineRequest,
     Restarted,
     Result,
-    check_positions,
+    checked,
 )
-from app.worker.snapshot import bind_request, preparation
+from app.worker.snapshot import bind_request, preparation, snapshot
 from solver.errors import SolverError
 from solver.types import FloatArray
 
@@ -42,8 +44,7 @@ class LiveSurface:
     shows level 0, until the mouse is released.
 
     worker: what binds and refines.  version: grows with each change.
-    bound: the bind in use, None at rest.
-    bind_error: why the last bind failed, empty if it did not.
+    bound: the bind in use, None at rest.  bind_error: why the last one failed, empty if it did not.
     orient_seconds, pose_seconds: what the last drag frame spent.
     """
 
@@ -80,21 +81,22 @@ class LiveSurface:
             self._take_results()
         self._show(document)
 
-    def settle(self, document: Document, meanwhile: Callable[[], object] = lambda: None) -> None:
-        """Wait until the surface is what the document asks for; `meanwhile` is called now and then.
+    def settle(self, document: Document) -> None:
+        """For scripts: wait until the surface is what the document asks for.
 
         Raises BindError if it cannot be, SolverError as `follow`.
         """
         self.follow(document, False, False)
         while self.worker.busy:
             self.worker.wait(WAIT)
-            meanwhile()
             self.follow(document, False, False)
-        if self.bind_error:
+        self.known(snapshot(document))
+
+    def known(self, shape: Snapshot) -> FloatArray | None:
+        """See `known_shape`. Raises BindError where the snapshot could not be bound."""
+        if self.bind_error and self._requested == shape.bind.version:
             raise BindError(self.bind_error)
-        refusal = self._refinements.refusal(self._transforms(document), document.rigid)
-        if refusal is not None:
-            raise refusal
+        return known_shape(shape, self.bound, self._refinements)
 
     def orient(
         self, document: Document, key: int, grabbed: FloatArray, target: FloatArray
@@ -171,7 +173,7 @@ class LiveSurface:
         elif isinstance(result, Refined):
             self._take_pose(result)
         elif isinstance(result, Restarted):
-            self._say("The solver stopped and was started again")
+            self._say(f"The solver {result.what} and was started again")
         else:
             self._take_failure(result)
 
@@ -222,8 +224,7 @@ class LiveSurface:
         if not pace.linear:
             self.pose_seconds += pace.cost(document.rigid)
         if positions is not self.positions:
-            check_positions(positions)
-            self.positions = positions
+            self.positions = checked(positions)
             self.version = next(clock)
 
     def _posed(self, transforms: FloatArray, level: int) -> FloatArray:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.worker.requests import Bound, Refined, RefineRequest, check_positions
+from app.worker.requests import Bound, Refined, RefineRequest, checked
 from solver.errors import SolverError
 from solver.types import FloatArray
 
@@ -33,7 +33,7 @@ class Refinements:
     def take(self, refined: Refined) -> None:
         """An answer. Raises PoseError, and keeps the one before, if it is no use."""
         try:
-            check_positions(refined.positions)
+            checked(refined.positions)
         except SolverError as error:
             self.refuse(refined.request, error)
             raise
@@ -44,10 +44,12 @@ class Refinements:
         if request is self._asked:
             self._refused = error
 
-    def refusal(self, transforms: FloatArray, level: int) -> SolverError | None:
-        """Why the pose (h, 4, 4) at a level cannot be had, None as far as is known."""
+    def refusal(self, request: RefineRequest) -> SolverError | None:
+        """Why what a request asks for cannot be had, None as far as is known."""
         asked = self._asked
-        return self._refused if asked and asked.asks(transforms, level) else None
+        if asked is None or asked.version != request.version:
+            return None
+        return self._refused if asked.asks(request.transforms, request.rigid) else None
 
     def at(self, level: int) -> Refined | None:
         """The newest answer, if it is of this level."""

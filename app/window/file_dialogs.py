@@ -11,7 +11,8 @@ from app.dialogs.dialogs import Dialogs
 from app.dialogs.question import Answer, Kind, Question
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.editor.file_actions import default_export_path, default_session_path, open_command
+from app.editor.file_actions import open_command
+from app.editor.file_paths import default_export_path, default_session_path
 from app.editor.replacing import is_open_mesh
 from app.model.session_files import session_name
 from solver.mesh.formats.table import FORMATS

@@ -22,7 +22,7 @@ from app.signals import told_to_end
 from app.viewpoint.camera import Camera
 from app.window.file_dialogs import FileDialogs
 from app.window.lost_display import display_lost
-from app.window.messages import Messages, overlay
+from app.window.messages import Messages, draw_task, overlay
 from app.window.mouse_and_keys import read_mouse, read_shortcuts
 from app.window.overlay import OverlayDrawer
 from app.window.panel import WIDTH, Panel
@@ -37,6 +37,7 @@ from app.window.studio import PICTURES, Studio
 from app.window.unsaved_work import QUESTIONS, UnsavedWork
 from app.window.view import View
 from app.worker.client import ProcessWorker, Worker
+from app.workspace.tasks import Cancelled
 from solver.errors import SolverError
 
 FRAME_SECONDS = 1 / 60
@@ -62,7 +63,10 @@ def _run(worker: Worker, mesh: Path | None, session: Path | None, export: Path |
     for _ in range(2):  # the first frame of a window may come before it is shown
         ps.frame_tick()
     told = ProgressFrames(c.OpenMesh.notice, lambda: None)
-    editor = open_editor(mesh, session, worker, export, told)
+    try:
+        editor = open_editor(mesh, session, worker, export, told)
+    except Cancelled:  # before there was anything
+        return
     if editor.document.handles:  # everything is ready for it
         editor.execute(c.SetTool("drag"))
     window = Window(editor, remembered)
@@ -233,8 +237,13 @@ class Window:
             self._do(command)
 
     def _overlay(self) -> None:
-        """What is about to take its time, else the last message."""
+        """What is about to take its time, else what goes on and the last message."""
         if self._waiting:
             overlay("loading", self._waiting[0].notice)
-        else:
-            self._messages.draw(self._editor.message)
+            return
+        task, above = self._editor.tasks.now, 0.0
+        if task is not None:
+            above, cancelled = draw_task(task)
+            if cancelled:
+                self._execute(c.CancelTask())
+        self._messages.draw(self._editor.message, above)

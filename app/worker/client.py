@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, field
 from typing import Protocol
 
-from app.worker.process import ProcessDied, SolverProcess
+from app.worker.courier import ProcessDied
+from app.worker.errand import Errand, Snapshot
+from app.worker.process import GRACE, SolverProcess
+from app.worker.queue import Job, Queue
 from app.worker.requests import (
     BindRequest,
     Bound,
     Failure,
+    Refined,
     RefineRequest,
     Request,
     Restarted,
@@ -50,6 +53,12 @@ class Worker(Protocol):
     def binding(self) -> bool:
         """Whether a bind is under way; refinements wait for it."""
 
+    def errand(self, snapshot: Snapshot) -> Errand:
+        """Ask for one shape, whatever the document does meanwhile; returns at once.
+
+        It gets on with each `poll`. One at a time: the one before is given up.
+        """
+
     def wait(self, timeout: float | None = None) -> bool:
         """Block until there is something to poll or nothing is under way; False: too long."""
 
@@ -57,20 +66,12 @@ class Worker(Protocol):
         """End whatever runs; nothing will be polled any more."""
 
 
-@dataclass(eq=False)
-class _Job:
-    """wanted: whether somebody waits for the result. since: when it was asked for."""
-
-    request: Request
-    wanted: bool = True
-    since: float = field(default_factory=time.monotonic)
-
-
 class ProcessWorker:
     """A worker in a process of its own: CHOLMOD would hold the window's global lock.
 
-    Runs no thread: it gets on whenever it is asked for anything. If the process ends by itself
-    another is started, and what it was doing is asked of that one, ATTEMPTS times in all.
+    It gets on whenever it is asked for anything, and never waits for the process. If that ends by
+    itself, or stands still, another is started, and what it was doing is asked of that
+    one, ATTEMPTS times in all.
 
     A superseded bind runs to its end, for the next bind of the mesh shares its ordering; ended
     half-way it would cost a new process and a bind from scratch. Only where the next bind is of
@@ -80,8 +81,8 @@ class ProcessWorker:
     def __init__(self) -> None:
         self._process = SolverProcess()
         self._process.start()  # now, to load while the window opens
-        self._waiting: dict[type[Request], _Job] = {}
-        self._running: _Job | None = None
+        self._queue = Queue()
+        self._running: Job | None = None
         self._results: list[Result] = []
         self._deaths = 0
         self._known: int | None = None  # version of the bind that the process can refine
@@ -97,8 +98,15 @@ class ProcessWorker:
         """See Worker."""
         if self._closed:
             return
-        self._waiting[type(request)] = _Job(request)
+        self._queue.add(request)
         self._advance()
+
+    def errand(self, snapshot: Snapshot) -> Errand:
+        """See Worker."""
+        errand = Errand(snapshot)
+        self._queue.add_errand(errand)
+        self._advance()
+        return errand
 
     def poll(self) -> list[Result]:
         """See Worker."""
@@ -108,7 +116,7 @@ class ProcessWorker:
 
     def drop(self) -> None:
         """See Worker."""
-        self._waiting.clear()
+        self._queue.clear()
         self._results.clear()
         self._used = None
         if self._running is not None:
@@ -123,7 +131,7 @@ class ProcessWorker:
     def binding(self) -> bool:
         """See Worker."""
         running = self._running is not None and isinstance(self._running.request, BindRequest)
-        return running or BindRequest in self._waiting
+        return running or self._queue.bind is not None
 
     def wait(self, timeout: float | None = None) -> bool:
         """See Worker."""
@@ -142,10 +150,10 @@ class ProcessWorker:
         self.drop()
         self._closed = True
         self._running = None
-        self._process.release()
+        self._process.stop(GRACE)
 
     def _unfinished(self) -> bool:
-        return bool(self._waiting) or (self._running is not None and self._running.wanted)
+        return bool(self._queue) or (self._running is not None and self._running.wanted)
 
     def _advance(self) -> None:
         """Take an answer that has arrived, and give the process something to do."""
@@ -155,83 +163,84 @@ class ProcessWorker:
             answer = self._process.receive()
             if answer is not None and self._running is not None:
                 self._finish(result_of(self._running.request, answer))
+            self._end_hung()
             self._replace_slow()
             if self._running is None:
                 self._begin()
         except ProcessDied:
-            self._revive()
+            self._revive("stopped")
+        except OSError as error:  # no memory, no process: the request never got there
+            self._fail(f"the solver cannot work: {error}")
 
     def _begin(self) -> None:
-        job = self._next()
+        job = self._queue.next(self._known, self._used)
         if job is not None:
             self._running = job
-            try:
-                self._process.send(job.request)
-            except OSError as error:  # no memory, no process: it never began
-                self._finish(Failure(job.request, WorkerError(f"the solver cannot work: {error}")))
-
-    def _next(self) -> _Job | None:
-        """Binds first. A refinement that the process cannot do needs the bind in use once more."""
-        if BindRequest in self._waiting:
-            return self._waiting.pop(BindRequest)
-        job = self._waiting.get(RefineRequest)
-        if job is None:
-            return None
-        assert isinstance(job.request, RefineRequest)
-        wanted = job.request.version
-        if self._used is not None and self._used.version == wanted != self._known:
-            return _Job(self._used, wanted=False)
-        del self._waiting[RefineRequest]
-        return job if self._known == wanted else None  # None: its bind is no longer in use
+            self._process.send(job.request)
 
     def _finish(self, result: Result) -> None:
         job, self._running = self._running, None
         assert job is not None
         if isinstance(job.request, BindRequest):  # one that fails leaves none to be refined
             self._known = job.request.version if isinstance(result, Bound) else None
-        if job.wanted:
+        if job.needed:
             self._deaths = 0
-            if not (isinstance(result, Failure) and self._superseded(job)):
+        if job.errand is not None:
+            if isinstance(result, Refined | Failure):  # else it was bound for what comes now
+                job.errand.result = result
+        elif job.wanted:
+            superseded = isinstance(job.request, BindRequest) and self._queue.bind is not None
+            if not (isinstance(result, Failure) and superseded):
                 self._results.append(result)
             if isinstance(result, Bound):
                 self._used = result.request
         elif isinstance(result, Failure) and job.request is self._used:
             self._give_up(RefineRequest, result.error)  # it needed that bind
 
-    def _superseded(self, job: _Job) -> bool:
-        return isinstance(job.request, BindRequest) and BindRequest in self._waiting
+    def _fail(self, reason: str) -> None:
+        if self._running is not None:
+            self._finish(Failure(self._running.request, WorkerError(reason)))
 
     def _give_up(self, kind: type[Request], error: SolverError) -> None:
-        job = self._waiting.pop(kind, None)
+        job = self._queue.take(kind)
         if job is not None:
             self._results.append(Failure(job.request, error))
 
     def _replace_slow(self) -> None:
-        job, following = self._running, self._waiting.get(BindRequest)
-        if job is None or job.wanted or following is None:
-            return
-        assert isinstance(following.request, BindRequest)
-        if not isinstance(job.request, BindRequest) or job.request.mesh == following.request.mesh:
-            return
-        if time.monotonic() - following.since > PATIENCE:
+        if self._running is not None and self._queue.held_up(self._running) > PATIENCE:
             self._stop()
 
-    def _revive(self) -> None:
-        """The process is gone: start another, which gets the request again."""
+    def _end_hung(self) -> None:
+        """A process that stands still, or goes on for ever, has the request no longer."""
+        if self._running is None:
+            return
+        pulse = self._process.pulse
+        pulse.look()
+        if pulse.stands_still:
+            self._revive("did not answer")
+        elif pulse.overdue:
+            self._fail(f"the solver had no answer after {pulse.spent:.0f} s")
+            self._stop()
+
+    def _revive(self, what: str) -> None:
+        """The process is of no use: start another, which gets the request again."""
         job, worked = self._running, self._known is not None
         self._stop()
-        if job is not None and job.wanted:
-            self._waiting.setdefault(type(job.request), job)
-        if self._waiting:
+        if job is not None:
+            self._queue.put_back(job)
+        errand = self._queue.errand
+        if self._queue or errand is not None:
             self._deaths += 1
         if self._deaths >= ATTEMPTS:
             self._deaths = 0
-            text = f"the solver stopped {ATTEMPTS} times while it worked on this"
+            error = WorkerError(f"the solver {what} {ATTEMPTS} times while it worked on this")
             for kind in (BindRequest, RefineRequest):
-                self._give_up(kind, WorkerError(text))
+                self._give_up(kind, error)
+            if errand is not None:
+                errand.result = Failure(errand.snapshot.refinement, error)
             return
-        self._results.append(Restarted())
-        if self._waiting or worked:  # else it may never work: not again before it is needed
+        self._results.append(Restarted(what))
+        if self._queue or errand is not None or worked:  # else it may never work: not yet again
             self._process.start()
 
     def _stop(self) -> None:

@@ -6,34 +6,35 @@ import multiprocessing
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
-from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 
 from app.worker.child import serve
+from app.worker.courier import Courier, ProcessDied
+from app.worker.pulse import Pulse
 from app.worker.requests import Answer, Request
-from app.worker.shared import Block, Packed, unpack
 
 # The same everywhere: Windows and macOS know no other safe way.
 CONTEXT = multiprocessing.get_context("spawn")
 # More threads gain a sparse factorisation nothing (measured), and where drawing keeps the
 # processors busy they wait for each other: five times as long for a rigid level.
 ONE_THREAD = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
-
-
-class ProcessDied(Exception):
-    """The process ended without being told to."""
+GRACE = 1.0  # seconds that a killed process has to be gone before nobody waits for it
 
 
 class SolverProcess:
-    """One process, one pipe, one block of memory; at most one request on its way at a time.
-
-    Messages are small, the arrays lie in the memory: sending never waits for the other side.
-    """
+    """One process and its courier; at most one request on its way at a time. Nothing here waits."""
 
     def __init__(self) -> None:
-        self._block = Block()
         self._process: BaseProcess | None = None
-        self._connection: Connection | None = None
+        self._courier: Courier | None = None
+        self._pulse: Pulse | None = None
+        self._killed: BaseProcess | None = None
+
+    @property
+    def pulse(self) -> Pulse:
+        """Whether it gets anywhere with the last request."""
+        assert self._pulse is not None
+        return self._pulse
 
     @property
     def pid(self) -> int | None:
@@ -41,7 +42,10 @@ class SolverProcess:
         return self._process.pid if self._process else None
 
     def start(self) -> None:
-        """Have a process, a new one if there is none. Returns at once, while it still loads."""
+        """Have a process, a new one if there is none. Returns at once, while it still loads.
+
+        Raises OSError where the system gives none.
+        """
         if self._process is not None:
             return
         ours, theirs = CONTEXT.Pipe()
@@ -49,52 +53,46 @@ class SolverProcess:
         with _in_environment(dict.fromkeys(ONE_THREAD, "1")):
             process.start()
         theirs.close()  # else the pipe would stay open when the process is gone
-        self._process, self._connection = process, ours
+        self._process, self._courier = process, Courier(ours)
 
     def send(self, request: Request) -> None:
-        """Hand over a request. Raises ProcessDied."""
+        """Hand over a request. Raises OSError where there is no process."""
         self.start()
-        assert self._connection is not None
-        packed = Packed(request)
-        memory = self._block.of_size(max(packed.size, request.answer_size))
-        try:
-            self._connection.send((memory.name, packed.put(memory)))
-        except OSError as error:
-            raise ProcessDied from error
+        assert self._courier is not None
+        self._pulse = Pulse(self.pid, request)
+        self._courier.carry(request)
 
     def receive(self) -> Answer | None:
-        """The answer to the request, None as long as there is none. Raises ProcessDied."""
-        if self._connection is None:
+        """The answer to the request, None as long as there is none.
+
+        Raises ProcessDied, or OSError where there was no memory to hand the request over.
+        """
+        if self._killed is not None and not self._killed.is_alive():  # asking takes note of it
+            self._killed = None
+        if self._courier is None or self._process is None:
             return None
-        try:
-            if not self._connection.poll():
-                return None
-            parcel = self._connection.recv()
-        except (EOFError, OSError) as error:
-            raise ProcessDied from error
-        answer: Answer = unpack(parcel, self._block.memory)
+        answer = self._courier.answer()
+        if answer is None and not self._process.is_alive():
+            raise ProcessDied
         return answer
 
-    def wait(self, timeout: float | None) -> None:
+    def wait(self, timeout: float) -> None:
         """Block until there is something to receive, or `timeout` seconds have passed."""
-        if self._connection is not None:
-            wait([self._connection], timeout)
+        if self._courier is not None:
+            self._courier.wait(timeout)
 
-    def stop(self) -> None:
-        """End the process at once, whatever it does: it owns nothing that could be left behind."""
-        if self._process is None or self._connection is None:
-            return
-        self._connection.close()
-        self._process.kill()
-        self._process.join()
-        self._process.close()
-        self._process = self._connection = None
-        self._block.release()  # another process could not find it
+    def stop(self, grace: float = 0.0) -> None:
+        """End the process at once, whatever it does: it owns nothing that could be left behind.
 
-    def release(self) -> None:
-        """End the process and give back the memory."""
-        self.stop()
-        self._block.release()
+        grace: seconds to wait until it is gone, at most.
+        """
+        process, courier = self._process, self._courier
+        self._process = self._courier = None
+        if process is not None and courier is not None:
+            process.kill()
+            courier.end(grace)
+            process.join(grace)
+            self._killed = process
 
 
 @contextmanager

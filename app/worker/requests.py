@@ -20,10 +20,11 @@ class PoseError(SolverError):
     """The solver returned positions that cannot be shown."""
 
 
-def check_positions(positions: FloatArray) -> None:
-    """Raises PoseError unless all are finite."""
+def checked(positions: FloatArray) -> FloatArray:
+    """The same. Raises PoseError unless all are finite."""
     if not np.isfinite(positions).all():
         raise PoseError("the solver returned positions that are not finite; pose not shown")
+    return positions
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,7 +134,9 @@ class Failure:
 
 @dataclass(frozen=True)
 class Restarted:
-    """The solver's process ended by itself, and another one has taken over its work."""
+    """Another process has taken over the work of the solver's, which `what`: say, "stopped"."""
+
+    what: str
 
 
 Result = Bound | Refined | Failure | Restarted

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from app.model.document import Document
+from app.worker.errand import Snapshot
 from app.worker.requests import BindRequest
 from solver import Setup
 
@@ -38,3 +39,9 @@ def bind_request(document: Document) -> BindRequest:
         transforms=document.pose.stacked(keys),
         grab=document.grab,
     )
+
+
+def snapshot(document: Document) -> Snapshot:
+    """The surface that a document asks for as it is now."""
+    bind = bind_request(document)
+    return Snapshot(bind, document.pose.stacked(bind.keys), document.rigid)

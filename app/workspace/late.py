@@ -11,36 +11,43 @@ from app.model.handles import Pose
 from app.model.history import Entry, Gesture, History
 
 
-@dataclass(frozen=True, eq=False)
-class _Debt:
+@dataclass(eq=False)
+class Debt:
+    """One handle or several of a drag. paid: whether they have found what they lacked."""
+
     entry: Entry
     keys: Collection[int]
     pose: Callable[[], Pose]
+    paid: bool = False
 
 
 class Late:
-    """Handles that were let go of where they are, and find their rotation or place afterwards."""
+    """Handles that were let go of where they are, and find their rotation or place afterwards.
+
+    debt: what is owed now.
+    """
 
     def __init__(self) -> None:
-        self._debt: _Debt | None = None
+        self.debt: Debt | None = None
 
     def owe(self, entry: Entry | None, keys: Collection[int], pose: Callable[[], Pose]) -> None:
         """Ask for `pose` once a bind knows handles `keys`; it belongs to the last entry."""
-        self._debt = None if entry is None else _Debt(entry, keys, pose)
+        self.debt = None if entry is None else Debt(entry, keys, pose)
 
     def pay(self, document: Document, history: History, surface: LiveSurface) -> bool:
         """Change the pose and its entry, if the bind is there; whether that was done.
 
         Never where anything was done or undone since. Raises SolverError.
         """
-        debt = self._debt
+        debt = self.debt
         if debt is None or history.top is not debt.entry or history.undone:
-            self._debt = None
+            self.debt = None
             return False
         if not all(map(surface.holds, debt.keys)):
             return False
-        self._debt = None
+        self.debt = None
         gesture = Gesture(document)
         gesture.change("pose", debt.pose())
         history.amend(gesture.finish(debt.entry.label))
+        debt.paid = True
         return True

@@ -37,6 +37,7 @@ from app.workspace.placing import Pivots, Placing
 from app.workspace.recent import Recent
 from app.workspace.seen_handles import SeenHandles
 from app.workspace.symmetry import Symmetry
+from app.workspace.tasks import Tasks
 from solver.mesh.progress import Progress
 from solver.types import FloatArray
 
@@ -51,7 +52,8 @@ class Workspace:
     blend: of two poses.  looks: how the surface is drawn.  recent: the files opened or saved last.
     symmetry: the mirror across which all happens twice, None for none.
     message: the last one, None before the first.  interaction: the stroke or drag in progress.
-    progress: what is told how far reading and saving are.  viewpoint: where the person looks from.
+    progress: what is told how far reading is.  tasks: what takes longer than a frame.
+    viewpoint: where the person looks from.
     last_input: of the frame before.  export_path: where Export goes by default.  session_path: the
     session file last opened or saved.  exported: where the last export went.
     own: the files that may be replaced without asking.
@@ -79,6 +81,7 @@ class Workspace:
         self.looks: Looks = PLAIN
         self.message: Message | None = None
         self.progress: Progress | None = None
+        self.tasks = Tasks(self.say)
         self.viewpoint = Viewpoint()
         self.recent = Recent()
         self.adopt(document, session_path)

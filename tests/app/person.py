@@ -139,9 +139,11 @@ class Person:
             self.do(SetBrush(radius=radius / self.editor.document.diagonal))
 
     def do(self, *commands: Command) -> None:
-        """Ask for things."""
+        """Ask for things, one when the other is done."""
         for command in commands:
             self.editor.execute(command)
+            if self.editor.tasks.now is not None:
+                self.editor.complete()
 
     def answer(self, label: str) -> None:
         """Press the button of the question that stands."""

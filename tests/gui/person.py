@@ -161,6 +161,10 @@ class Person:
         left, top, right, bottom = json.loads(self._widgets.read_text())[label]
         return left + along * (right - left), (top + bottom) / 2
 
+    def shows(self, label: str) -> bool:
+        """Whether the last frame had this widget."""
+        return label in json.loads(self._widgets.read_text())
+
     def choose(self, label: str, along: float = 0.5) -> None:
         """Click on a widget of the panel."""
         self.click(*self.widget(label, along))
@@ -168,7 +172,7 @@ class Person:
     def open_section(self, title: str, inside: str) -> None:
         """Unfold a section of the panel, unless what is inside shows already."""
         self.wait_still()
-        if inside not in json.loads(self._widgets.read_text()):
+        if not self.shows(inside):
             self.choose(title, 0.3)
         self.widget(inside)
 

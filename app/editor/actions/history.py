@@ -8,7 +8,14 @@ from app.workspace.workspace import Workspace
 
 
 def cancel_gesture(work: Workspace, command: c.CancelGesture) -> None:
-    work.cancel()
+    if work.interaction is not None:
+        work.cancel()
+    else:
+        work.tasks.cancel()
+
+
+def cancel_task(work: Workspace, command: c.CancelTask) -> None:
+    work.tasks.cancel()
 
 
 def undo(work: Workspace, command: c.Undo) -> None:
@@ -23,6 +30,7 @@ def redo(work: Workspace, command: c.Redo) -> None:
 
 HISTORY_ACTIONS: Actions = {
     c.CancelGesture: cancel_gesture,
+    c.CancelTask: cancel_task,
     c.Undo: undo,
     c.Redo: redo,
 }

@@ -9,8 +9,12 @@ import numpy as np
 
 from app.editor import commands as c
 from app.editor.action import Actions
+from app.editor.solved import settled, solved
+from app.model.document import Document
 from app.model.handles import Pose
 from app.model.rest import RestShape, affine_fit, composed, flattens, seen_from
+from app.worker.errand import Snapshot
+from app.workspace.tasks import Steps
 from app.workspace.workspace import Workspace
 
 
@@ -23,8 +27,19 @@ def make_rest(work: Workspace, command: c.MakeRest) -> None:
             raise c.CommandError(
                 f"{handle.name} is flattened: from such a shape nothing leads back"
             )
-    work.settle()
-    rest, pose = document.new_rest(work.positions), document.pose
+    work.tasks.begin("Making the rest shape", _make_rest(work, document, settled(work)))
+
+
+def _make_rest(
+    work: Workspace, document: Document, asked: Steps[tuple[Snapshot, Pose]]
+) -> Steps[None]:
+    shape, pose = yield from asked
+    positions = yield from solved(work, shape)
+    while work.interaction is not None:  # the hand is in the middle of something
+        yield None
+    if work.document is not document or document.rest_positions is not shape.bind.vertices:
+        raise c.CommandError("the rest shape has changed meanwhile: none was made")
+    rest = document.new_rest(positions)
     _set(work, "Make rest shape", rest, lambda other: seen_from(other, pose))
 
 

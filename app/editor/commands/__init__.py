@@ -3,7 +3,7 @@
 from app.editor.commands.choices import SetBrush, SetKeep, SetMap, SetMarking, SetTool, SetTurn
 from app.editor.commands.command import Command, CommandError
 from app.editor.commands.files import ContinueWork, Export, OpenMesh, OpenSession, SaveSession
-from app.editor.commands.history import CancelGesture, Redo, Undo
+from app.editor.commands.history import CancelGesture, CancelTask, Redo, Undo
 from app.editor.commands.marks import ChangeMarks, FindLimbs
 from app.editor.commands.parts import SetFollows, ShowPart
 from app.editor.commands.placing import (
@@ -49,6 +49,7 @@ __all__ = [
     "AddHandle",
     "BlendPoses",
     "CancelGesture",
+    "CancelTask",
     "ChangeMarks",
     "ChooseBlend",
     "ClearFixed",

@@ -57,6 +57,5 @@ class SaveSession(Command):
 class Export(Command):
     """Without a path: the one the program was started with, or one beside the mesh."""
 
-    notice: ClassVar[str] = "Saving ..."
     path: Path | None = None
     replace: bool = False

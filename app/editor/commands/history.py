@@ -20,6 +20,13 @@ class Redo(Command):
 
 @dataclass(frozen=True)
 class CancelGesture(Command):
-    """Take back the stroke or drag in progress."""
+    """Take back the stroke or drag in progress, else what goes on beside it."""
+
+    interrupts: ClassVar[bool] = False
+
+
+@dataclass(frozen=True)
+class CancelTask(Command):
+    """Take back what takes its time, say an export; a stroke or drag goes on."""
 
     interrupts: ClassVar[bool] = False

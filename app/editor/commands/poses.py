@@ -91,7 +91,6 @@ class ExportPoses(Command):
     between: how many shapes there are between one and the next, the rest shape first.
     """
 
-    notice: ClassVar[str] = "Saving poses ..."
     path: Path | None = None
     between: int = 0
     replace: bool = False
@@ -100,8 +99,6 @@ class ExportPoses(Command):
 @dataclass(frozen=True)
 class MakeRest(Command):
     """The surface as it is becomes the rest shape; kept poses lead where they did."""
-
-    notice: ClassVar[str] = "Working ..."
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,8 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.editor.file_actions import default_export_path, default_session_path, open_command
+from app.editor.file_actions import open_command
+from app.editor.file_paths import default_export_path, default_session_path
 from app.model.session_files import session_name
 from app.window.file_dialogs import FileDialogs
 from app.window.panel.widgets import REST_OF_LINE, disabled, shares, shortened

@@ -59,7 +59,7 @@ def test_a_process_that_dies_idle_is_replaced_and_it_says_so(
     deadline = time.monotonic() + WAIT
     while not (arrived := solver_process.poll()):
         assert time.monotonic() < deadline
-    assert arrived == [Restarted()]
+    assert arrived == [Restarted("stopped")]
     assert solver_process.pid not in (pid, None)
     solver_process.request(refinement(request))
     assert isinstance(results(solver_process)[-1], Refined)

@@ -177,7 +177,7 @@ def test_the_process_knows_no_window_and_its_start_holds_nobody_up() -> None:
     assert made.receive() is None  # it still loads, and nobody waited for that
     made.wait(WAIT)
     assert made.receive() is not None
-    made.release()
+    made.stop(process.GRACE)
 
 
 @pytest.mark.parametrize("change", ["nothing", "softness", "material", "role", "orientation"])

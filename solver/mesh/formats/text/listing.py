@@ -1,20 +1,35 @@
-"""Lines of text for points and polygons. One call formats them all."""
+"""Lines of text for points and polygons. One call formats thousands of them.
+
+Not all: it holds the global lock, without which a window does not draw.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
+
 from solver.mesh.polygons import Polygons
 from solver.types import FloatArray
+
+PIECE = 4096  # lines in a call
 
 
 def point_lines(head: bytes, points: FloatArray) -> bytes:
     """A line for each of (n, 3) points: `head`, then the shortest texts that read back the same."""
-    return (head + b"%a %a %a\n") * len(points) % tuple(points.ravel().tolist())
+    line = head + b"%a %a %a\n"
+    pieces = (points[start : start + PIECE] for start in range(0, len(points), PIECE))
+    return b"".join(line * len(piece) % tuple(piece.ravel().tolist()) for piece in pieces)
 
 
 def polygon_lines(head: Callable[[int], bytes], polygons: Polygons) -> bytes:
     """A line for each polygon: the head that belongs to its size, then its corners."""
-    sizes = polygons.sizes.tolist()
-    line = {size: head(size) + b" %d" * size + b"\n" for size in set(sizes)}
-    return b"".join(map(line.__getitem__, sizes)) % tuple(polygons.corners.tolist())
+    sizes, corners = polygons.sizes, polygons.corners
+    line = {size: head(size) + b" %d" * size + b"\n" for size in np.unique(sizes).tolist()}
+    first = np.concatenate([[0], np.cumsum(sizes)])
+    lines = []
+    for start in range(0, len(sizes), PIECE):
+        piece = sizes[start : start + PIECE].tolist()
+        own = corners[first[start] : first[start + len(piece)]].tolist()
+        lines.append(b"".join(map(line.__getitem__, piece)) % tuple(own))
+    return b"".join(lines)

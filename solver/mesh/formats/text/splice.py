@@ -11,6 +11,8 @@ from solver.mesh.formats.text.blocks import Bytes
 from solver.types import BoolArray, FloatArray, IntArray
 
 _COMMA = ord(",")
+# Numbers at a time: making text of them holds the global lock, which a window needs to draw.
+PIECE = 8192
 
 
 class Replacement(NamedTuple):
@@ -49,7 +51,8 @@ def _replaced(data: bytes, starts: IntArray, stops: IntArray, numbers: FloatArra
 
 def _texts(numbers: FloatArray) -> tuple[Bytes, IntArray]:
     """The bytes of all numbers one after another, and how many each has."""
-    listed = repr(numbers.tolist()).encode()[1:-1]
+    pieces = (numbers[start : start + PIECE] for start in range(0, len(numbers), PIECE))
+    listed = ", ".join(repr(piece.tolist())[1:-1] for piece in pieces).encode()
     commas = np.flatnonzero(np.frombuffer(listed, dtype=np.uint8) == _COMMA)
     ends = np.concatenate([commas, [len(listed)]])
     # Two bytes, a comma and a blank, lie between numbers.

@@ -13,35 +13,16 @@ from app.editor import commands as c
 from app.editor.pose_export import SOLVING
 from app.model.handles import Pose
 from app.model.poses import blended_pose
-from app.worker.requests import RefineRequest, Request, Result
 from app.worker.service import bind
 from app.worker.snapshot import bind_request
 from solver import load_mesh
-from solver.errors import SolverError
 from solver.geometry.motions import motion, rotation
 from solver.types import FloatArray
-from tests.app.inline import InlineWorker
+from tests.app.inline import SlowWorker
 from tests.app.person import Person, error_of, question_of, slab, state
 
 UP = motion(rotation([0, 1, 0], -40), [1.0, 0, 3])
 TURNED = motion(rotation([0, 0, 1], 100), [1.0, 2, 3], centre=[19.0, 2, -1])
-
-
-class SlowWorker(InlineWorker):
-    """Gives refinements only after three looks."""
-
-    left = 0
-
-    def request(self, request: Request) -> None:
-        super().request(request)
-        self.left = 3 if isinstance(request, RefineRequest) else 0
-
-    def wait(self, timeout: float | None = None) -> bool:
-        self.left -= 1
-        return self.left <= 0
-
-    def poll(self) -> list[Result]:
-        return super().poll() if self.left <= 0 else []
 
 
 @pytest.fixture
@@ -191,26 +172,51 @@ def test_a_pose_that_cannot_be_solved_leaves_all_as_it_was(two: Person, tmp_path
     assert files(tmp_path) == []
 
 
-def test_the_progress_is_told_while_poses_are_solved_and_grows_to_its_end(
+def test_it_says_how_far_it_is_and_the_window_answers_meanwhile(
     two: Person, tmp_path: Path
 ) -> None:
+    shown = two.editor.positions
+    two.editor.execute(c.ExportPoses(tmp_path / "out.obj"))
     told: list[float] = []
-    two.editor.progress = told.append
-    two.do(c.ExportPoses(tmp_path / "out.obj"))
+    while (task := two.editor.tasks.now) is not None:
+        assert task.fraction is not None
+        told.append(task.fraction)
+        two.frame([10, 2, 0])
     assert told == sorted(told)
-    assert told[-1] == 1.0
-    solving = [fraction for fraction in told if fraction < SOLVING]
-    assert len(set(solving)) == 3, "for each pose and the one on screen"
-    assert len(solving) > 3, "also while one is waited for"
+    assert {round(SOLVING * part / 3, 6) for part in (1, 2)} <= {round(part, 6) for part in told}
+    assert told.count(told[0]) > 1, "also while one is waited for"
+    np.testing.assert_allclose(load_mesh(tmp_path / "out.obj").vertices, shown, atol=1e-8)
 
 
-def test_an_export_that_is_stopped_leaves_all_as_it_was(two: Person, tmp_path: Path) -> None:
-    def stop(fraction: float) -> None:
-        raise SolverError("stopped")
+def test_what_is_done_meanwhile_is_not_in_it(two: Person, tmp_path: Path) -> None:
+    shown, document = two.editor.positions, two.editor.document
+    expected = {kept.name: solved(two, kept.pose) for kept in document.poses}
+    two.editor.execute(c.ExportPoses(tmp_path / "out.obj"))
+    two.stroke([17, 5, 0], [15, 8, 0])
+    two.editor.execute(c.DeletePose(document.poses[0].key))
+    two.editor.execute(c.SetSetting("bending_length", 0.1))
+    two.editor.complete()
+    assert files(tmp_path) == ["out-turned.obj", "out-up.obj", "out.obj"]
+    expected |= {"": shown}
+    for name, X in expected.items():
+        path = tmp_path / ("out" + (name and f"-{name}") + ".obj")
+        np.testing.assert_allclose(load_mesh(path).vertices, X, atol=1e-8)
 
-    two.editor.progress = stop
+
+def test_an_export_that_is_cancelled_leaves_all_as_it_was(two: Person, tmp_path: Path) -> None:
     before = state(two.editor.document)
-    two.do(c.ExportPoses(tmp_path / "out.obj"))
-    assert error_of(two) == "stopped"
+    two.editor.execute(c.ExportPoses(tmp_path / "out.obj"))
+    two.frame([10, 2, 0])
+    two.do(c.CancelGesture())
+    assert two.editor.message is not None
+    assert two.editor.message.text == "Exporting out.obj was cancelled"
     assert state(two.editor.document) == before
     assert files(tmp_path) == []
+
+
+def test_a_file_that_appears_meanwhile_is_not_replaced(two: Person, tmp_path: Path) -> None:
+    two.editor.execute(c.ExportPoses(tmp_path / "out.obj"))
+    (tmp_path / "out-up.obj").write_text("mine")
+    two.editor.complete()
+    assert "out-up.obj is there already" in question_of(two)
+    assert files(tmp_path) == ["out-up.obj"]

@@ -1,0 +1,64 @@
+"""A mesh on its way into files: what was asked for, whatever is open by the time it is written."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import nullcontext
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.editor import commands as c
+from app.editor.elsewhere import or_elsewhere
+from app.editor.file_paths import recent
+from app.editor.replacing import before_mesh, whole
+from app.workspace.own_files import OwnFiles
+from app.workspace.tasks import Steps, in_background
+from app.workspace.workspace import Workspace
+from solver import Mesh
+from solver.types import FloatArray
+
+
+@dataclass(frozen=True)
+class MeshSaving:
+    """mesh, own: of the document that was open.  files: what is written where it goes to a path."""
+
+    work: Workspace
+    command: c.Export | c.ExportPoses
+    path: Path
+    files: Callable[[Path], Sequence[Path]]
+    mesh: Mesh
+    own: OwnFiles
+
+    def check(self) -> None:
+        """Raise Asks or CommandError before a file is replaced that must not be."""
+        if self._is_open:
+            before_mesh(self.work, self.command, self.path, self.files)
+
+    def steps(
+        self,
+        positions: FloatArray,
+        poses: Mapping[str, FloatArray] | None = None,
+        start: float = 0.0,
+    ) -> Steps[None]:
+        """Write the files. start: how far the task is. Raises Asks, FileError and MeshError."""
+        self.check()  # once more: the shapes may have taken their time
+        elsewhere = or_elsewhere(self.command, self.path) if self._is_open else nullcontext()
+        with elsewhere, recent(self.work, self.path):
+            yield from in_background(
+                lambda tell: self.mesh.save(self.path, positions, poses, tell), start
+            )
+        for file in self.files(self.path):
+            self.own.add(file)
+        if self._is_open:
+            self.work.exported = self.path
+
+    @property
+    def done(self) -> str:
+        """What is said afterwards."""
+        beside = len(self.files(self.path)) - 1
+        return f"Exported {whole(self.path)}" + (f", {beside} files beside it" if beside else "")
+
+    @property
+    def _is_open(self) -> bool:
+        """Whether the document still is."""
+        return self.work.own is self.own
