@@ -9,11 +9,9 @@ from pathlib import Path
 from typing import NoReturn
 
 from app.bundled import DEFAULT_SESSION
-from app.graphics import loading
-from solver.errors import SolverError
-from solver.mesh.formats.table import FORMATS
+from app.telling import flush, tell
 
-USAGE_ERROR = 2
+USAGE_ERROR, INTERRUPTED = 2, 130
 SESSION_SUFFIX = ".json"
 COMMAND = "surface-deformation"
 PROGRAM = COMMAND if Path(sys.argv[0]).stem == COMMAND else "python -m app"
@@ -29,24 +27,39 @@ other commands (each has --help):
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """One line, where argparse would print its usage too."""
-        self.exit(USAGE_ERROR, f"{self.prog}: {message} (see --help)\n")
+        tell(f"{self.prog}: {message} (see --help)", error=True)
+        self.exit(USAGE_ERROR)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run one command; 0: done, 2: the input or the command is wrong."""
-    arguments = list(sys.argv[1:] if arguments is None else arguments)
+    """Run one command; 0: done, 2: the input or the command is wrong, 130: Ctrl+C."""
+    try:
+        return _run(list(sys.argv[1:] if arguments is None else arguments))
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    finally:
+        flush()
+
+
+def _run(arguments: list[str]) -> int:
+    # Here, as in every command: loading them takes its time, and Ctrl+C may come meanwhile.
+    from solver.errors import SolverError
+
     try:
         if arguments and arguments[0] in COMMANDS:
             COMMANDS[arguments[0]](arguments[1:])
         else:
             _window(arguments)
     except (SolverError, OSError) as error:
-        print(f"{PROGRAM}: {error}", file=sys.stderr)
+        tell(f"{PROGRAM}: {error}", error=True)
         return USAGE_ERROR
     return 0
 
 
 def _window(arguments: Sequence[str]) -> None:
+    from app.graphics import loading
+    from solver.mesh.formats.table import FORMATS
+
     parser = _Parser(
         prog=PROGRAM,
         description="Open a mesh or a session in a window: paint, drag, save.",
@@ -103,7 +116,8 @@ def _info(arguments: Sequence[str]) -> None:
     options = parser.parse_args(arguments)
     from app.headless import info
 
-    print(info(options.mesh))
+    for line in info(options.mesh):
+        tell(line)
 
 
 def _demo(arguments: Sequence[str]) -> None:

@@ -77,11 +77,10 @@ def _kept(document: Document, name: str) -> Pose:
     return poses[name]
 
 
-def info(path: Path) -> str:
-    """What a mesh file holds and what is unusual about it, as text. Raises SolverError."""
+def info(path: Path) -> list[str]:
+    """What a mesh file holds and what is unusual about it, as lines. Raises SolverError."""
     counts = mesh_statistics(load_mesh(path))
-    lines = [f"{path}", *_surface_lines(counts), *_extra_lines(counts), *_odd_lines(counts)]
-    return "\n".join(lines)
+    return [f"{path}", *_surface_lines(counts), *_extra_lines(counts), *_odd_lines(counts)]
 
 
 def _surface_lines(counts: MeshStatistics) -> list[str]:

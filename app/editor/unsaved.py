@@ -11,6 +11,7 @@ from app.editor.file_actions import default_session_path
 from app.model.document import Document
 from app.model.free_path import free_path
 from app.model.session import write_session
+from app.telling import tell
 from solver.errors import FileError, SolverError
 
 
@@ -36,6 +37,6 @@ def _write(document: Document, session: Path) -> Path:
         except (SolverError, OSError) as error:
             first = first or error
         else:
-            print(f"unsaved work is kept in {spare}")
+            tell(f"unsaved work is kept in {spare}")
             return spare
     raise FileError(f"unsaved work could not be kept: {first}") from first

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 import traceback
 from collections.abc import Iterator
@@ -20,6 +19,7 @@ from app.editor.file_actions import load_document, open_command
 from app.editor.unsaved import keep_unsaved
 from app.model.preferences import PreferencesFile, preferences_path
 from app.signals import told_to_end
+from app.telling import tell
 from app.viewpoint.camera import Camera
 from app.window.file_dialogs import FileDialogs
 from app.window.messages import Messages, overlay
@@ -143,7 +143,7 @@ class Window:
             try:
                 keep_unsaved(self._editor)
             except SolverError as error:
-                print(error, file=sys.stderr)
+                tell(str(error), error=True)
 
     def _frame(self) -> None:
         editor, view = self._editor, self._view

@@ -6,6 +6,7 @@ import time
 
 import polyscope.imgui as psim
 
+from app.telling import readable
 from app.window.panel.widgets import ERROR_COLOR, WIDTH
 from app.window.scaling import scaled
 from app.workspace.interaction import Message
@@ -43,6 +44,7 @@ def overlay(name: str, text: str, error: bool = False, fraction: float | None = 
 
     fraction: of a bar below that shows how far something is, None without one.
     """
+    text = readable(text)
     width, height = psim.GetIO().DisplaySize
     panel = scaled(WIDTH)
     psim.SetNextWindowPos((0.5 * (width + panel), height - scaled(30.0)), 0, (0.5, 1.0))
