@@ -89,7 +89,7 @@ def test_a_hostile_name_is_one_line(
 def test_a_mesh_quotes_no_control_characters(bar: Path, capsys: pytest.CaptureFixture[str]) -> None:
     write("m.obj", b"v 0 \x1b[2J\xff\x9b 0\nf 1 1 1\n")
     write("m.ply", b"ply\n\x1b[2J property\nelement \x1b[2J\nend_header\n")
-    session(**{"\x1b[2J\n": 1})
+    session("bar.json", **{"\x1b[2J\n": [1]})
     deform = ("deform", "bar.obj", "--session", "bar.json", "-o", "out.obj")
     for words in (("info", "m.obj"), ("info", "m.ply"), deform):
         assert main(words) == 2

@@ -65,6 +65,12 @@ class DeformedSurface:
         return self.polygons.corners[self.triangle_corners]
 
     @property
+    def polygon_of_triangle(self) -> IntArray:
+        """(m,) the polygon that each triangle is a part of."""
+        ends = np.cumsum(self.polygons.sizes)
+        return np.searchsorted(ends, self.triangle_corners[:, 0], side="right")
+
+    @property
     def moved(self) -> BoolArray:
         """(n,) which vertices are no longer where they were."""
         return np.asarray((self.rest != self.positions).any(axis=1))

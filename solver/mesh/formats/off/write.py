@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from solver.mesh.formats.columns import changed_columns
 from solver.mesh.formats.format import DeformedSurface
 from solver.mesh.formats.off.lines import OffLines
 from solver.mesh.formats.off.read import OffSource
 from solver.mesh.formats.text.listing import point_lines, polygon_lines
 from solver.mesh.formats.text.points import read_normals
 from solver.mesh.formats.text.splice import Replacement, spliced
-from solver.mesh.formats.vertex_columns import changed_columns
 
 
 def write_off(surface: DeformedSurface) -> bytes:

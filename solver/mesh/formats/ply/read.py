@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,11 +17,18 @@ from solver.mesh.polygons import Polygons
 from solver.mesh.progress import Progress, silent
 from solver.types import FloatArray
 
-# What the properties of a vertex mean, where all of a row are there.
-_MEANINGS = {
+_COLOURS = ("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_blue")
+_ALPHA = "alpha", "diffuse_alpha"
+# What the properties of a vertex mean, where all of a row are there; and of a face.
+_VERTEX = {
     "texture coordinates": (("u", "v"), ("s", "t"), ("texture_u", "texture_v")),
     "normals": (NORMAL,),
-    "colours": (("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_blue")),
+    "colours": _COLOURS,
+}
+_FACE = {
+    "texture coordinates": (("texcoord",),),
+    "face normals": (NORMAL,),
+    "face colours": _COLOURS,
 }
 
 
@@ -52,16 +60,24 @@ def read_ply(data: bytes, name: str, progress: Progress = silent) -> FileContent
         else:
             body.skip(element)
     _check_faces(polygons, len(V), name)
-    return FileContent(V, polygons, _extras(header.vertex), source)
+    return FileContent(V, polygons, _extras(header), source)
 
 
-def _extras(vertex: Element) -> dict[str, int]:
-    names = {entry.name for entry in vertex.properties}
-    return {
-        words: vertex.count
-        for words, spellings in _MEANINGS.items()
-        if any(names.issuperset(spelling) for spelling in spellings)
-    }
+def _extras(header: Header) -> dict[str, int]:
+    """How many of each kind; of properties and elements of unknown meaning, how many there are."""
+    found: Counter[str] = Counter()
+    for element, known, own in (
+        (header.vertex, _VERTEX, set(POSITION)),
+        (header.face, _FACE, {header.face_list}),
+    ):
+        names = {entry.name for entry in element.properties} - own
+        for words, spellings in known.items():
+            told = next((spelling for spelling in spellings if names.issuperset(spelling)), ())
+            found[words] += element.count * bool(told)
+            names.difference_update(told, _ALPHA)
+        found["further properties"] += len(names)
+    found["further elements"] = len(header.elements) - 2
+    return {words: count for words, count in found.items() if count}
 
 
 def _vertices(body: Body, element: Element, name: str) -> FloatArray:

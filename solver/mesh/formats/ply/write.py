@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import takewhile
+
 import numpy as np
 
+from solver.mesh.formats.columns import changed_columns, turned_face_normals
 from solver.mesh.formats.format import DeformedSurface
 from solver.mesh.formats.ply.body import Body
-from solver.mesh.formats.ply.header import NORMAL, POSITION
+from solver.mesh.formats.ply.header import NORMAL, POSITION, Element
 from solver.mesh.formats.ply.read import PlySource
-from solver.mesh.formats.vertex_columns import changed_columns
+from solver.mesh.formats.ply.widening import widened
 from solver.mesh.progress import Progress, silent
 
 _HEADER = b"""ply
@@ -26,31 +30,35 @@ end_header
 def write_ply(surface: DeformedSurface) -> bytes:
     """The file that was read with new positions and normals, or a plain one, binary and float64.
 
-    New numbers have the type that the file gives them. Whole numbers hold no deformed position: a
-    file of such is not kept.
+    New numbers have the type that the file gives them; whole numbers, which hold no deformed
+    position, become float64.
     """
     source = surface.source
-    if isinstance(source, PlySource) and source.header.vertex.has_floats(POSITION):
-        return _rewritten(source, surface)
-    return _plain(surface)
+    if not isinstance(source, PlySource):
+        return _plain(surface)
+    return _rewritten(source, surface) if surface.moved.any() else source.data
 
 
 def _rewritten(source: PlySource, surface: DeformedSurface) -> bytes:
-    vertex = source.header.vertex
-    has_normals = vertex.has_floats(NORMAL)
-    normals = _at_vertex(source, silent).columns(vertex, NORMAL) if has_normals else None
+    source = widened(source)
+    vertex, face = source.header.vertex, source.header.face
+    has_normals = vertex.has_numbers(NORMAL)
+    normals = _at(vertex, source).columns(vertex, NORMAL) if has_normals else None
     names = POSITION + NORMAL if has_normals else POSITION
-    body = _at_vertex(source, surface.progress)
-    return body.replaced(vertex, names, *changed_columns(surface, normals))
+    body = _at(vertex, source, surface.progress)
+    data = body.replaced(vertex, names, *changed_columns(surface, normals))
+    if not face.has_numbers(NORMAL):
+        return data
+    values, turned = turned_face_normals(surface, _at(face, source).columns(face, NORMAL))
+    changed = np.repeat(turned[:, None], 3, axis=1)
+    return _at(face, replace(source, data=data)).replaced(face, NORMAL, values, changed)
 
 
-def _at_vertex(source: PlySource, progress: Progress) -> Body:
-    """The body where the vertices follow."""
+def _at(element: Element, source: PlySource, progress: Progress = silent) -> Body:
+    """The body where the rows of the element follow."""
     body = source.body(progress=progress)
-    for element in source.header.elements:
-        if element.name == "vertex":
-            break
-        body.skip(element)
+    for before in takewhile(lambda other: other is not element, source.header.elements):
+        body.skip(before)
     return body
 
 
