@@ -105,7 +105,9 @@ def _deform(arguments: Sequence[str]) -> None:
     from app.headless import Wish, deform
 
     wish = Wish(options.rigid, options.pose, options.poses, options.exact)
-    deform(options.mesh, options.session, options.output, wish)
+    left_out = deform(options.mesh, options.session, options.output, wish)
+    if left_out:
+        tell(f"saved {options.output}; {left_out}", error=True)
 
 
 def _info(arguments: Sequence[str]) -> None:

@@ -37,8 +37,10 @@ class Wish:
     exact: bool = False
 
 
-def deform(mesh: Path, session: Path, output: Path, wish: Wish) -> None:
+def deform(mesh: Path, session: Path, output: Path, wish: Wish) -> str:
     """Pose `mesh` as `session` says, but for what is wished for, and save it. Raises SolverError.
+
+    Returns what `output` does not keep of the mesh, in words; empty if it keeps all.
 
     Kept poses become morph targets of a format that has them, else a file each beside `output`;
     a file that is there already is not replaced.
@@ -57,6 +59,7 @@ def deform(mesh: Path, session: Path, output: Path, wish: Wish) -> None:
     posed = poser(document)
     X = posed(document.pose)
     document.mesh.save(output, X, {name: posed(pose) for name, pose in shapes.items()})
+    return document.mesh.left_out(output)
 
 
 def poser(document: Document) -> Callable[[Pose], FloatArray]:

@@ -68,7 +68,13 @@ def export(work: Workspace, command: c.Export) -> None:
     work.surface.settle(work.document)
     with _recent(work, path):
         work.document.mesh.save(path, work.positions, progress=work.progress)
-    work.say(f"Exported {path}")
+    work.say(f"Exported {path}{without(work, path)}")
+
+
+def without(work: Workspace, path: Path) -> str:
+    """The end of a line that says what an exported file does not keep; empty if it keeps all."""
+    left_out = work.document.mesh.left_out(path)
+    return f"; {left_out}" if left_out else ""
 
 
 def default_session_path(work: Workspace) -> Path:

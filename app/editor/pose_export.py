@@ -8,7 +8,7 @@ from pathlib import Path
 
 from app.editor import commands as c
 from app.editor.action import Actions, check_between
-from app.editor.file_actions import default_export_path, spare_mesh
+from app.editor.file_actions import default_export_path, spare_mesh, without
 from app.model.document import Document
 from app.model.handles import Pose
 from app.model.history import Gesture
@@ -34,7 +34,9 @@ def export_poses(work: Workspace, command: c.ExportPoses) -> None:
     work.document.mesh.save(path, work.positions, solved, saving)
     work.written |= {file.resolve(): _state(file) for file in beside}
     beside_it = f", {len(beside)} files beside it" if beside else ""
-    work.say(f"Exported {path} with {len(work.document.poses)} poses{beside_it}")
+    work.say(
+        f"Exported {path} with {len(work.document.poses)} poses{beside_it}{without(work, path)}"
+    )
 
 
 def poses_to_save(document: Document, path: Path, between: int = 0) -> dict[str, Pose]:

@@ -12,7 +12,7 @@ from solver.mesh.formats.format import DeformedSurface
 from solver.mesh.formats.narrowing import narrowed
 from solver.mesh.formats.text.file import TextFile
 from solver.mesh.formats.text.lines import Lines
-from solver.mesh.formats.text.points import read_normals
+from solver.mesh.formats.text.points import read_any
 from solver.mesh.formats.text.splice import Replacement, spliced
 from solver.mesh.progress import Progress, silent
 from solver.types import BoolArray, FloatArray
@@ -50,7 +50,7 @@ class StlSource:
         return self.data[:HEAD] + records.tobytes() + self.data[end:]
 
     def _text(self, surface: DeformedSurface) -> Iterator[bytes]:
-        before = [read_normals(lines.beginning_with(b"facet"), 2) for lines in self.lines()]
+        before = [read_any(lines.beginning_with(b"facet"), 2) for lines in self.lines()]
         normals, turned = turned_face_normals(surface, np.concatenate(before))
         corners = surface.triangles.ravel()
         points, moved = surface.positions[corners], surface.moved[corners]

@@ -64,7 +64,7 @@ class BinaryBody(Body):
         wide = np.dtype("f8").newbyteorder(self._endian)
         text = np.stack(values, axis=1).astype(wide).view(np.uint8).ravel()
         starts = layout.starts[:, chosen] - begin
-        stops = (starts + [int(kind[1]) for kind in kinds]).ravel()
+        stops = (starts + np.array([int(kind[1]) for kind in kinds])).ravel()
         lengths = np.full_like(stops, wide.itemsize)
         return substituted(rows, starts.ravel(), stops, text, lengths)
 

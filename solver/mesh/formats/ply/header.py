@@ -17,6 +17,7 @@ _BYTE_ORDERS = {"ascii": None, "binary_little_endian": "<", "binary_big_endian":
 _END = re.compile(rb"^[ \t]*end_header[ \t]*(\r\n|\n|\r)", re.MULTILINE)
 POSITION = "x", "y", "z"
 NORMAL = "nx", "ny", "nz"
+COLOUR = "red", "green", "blue", "alpha"
 # What a deformation changes, by the element that has it.
 SHAPE = {"vertex": (POSITION, NORMAL), "face": (NORMAL,)}
 _FACE_LISTS = ("vertex_indices", "vertex_index")

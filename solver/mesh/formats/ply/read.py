@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
+from itertools import takewhile
 
 import numpy as np
 
 from solver.errors import MeshError
+from solver.mesh.formats.colours import rgba
 from solver.mesh.formats.format import FileContent
 from solver.mesh.formats.ply.binary import BinaryBody
 from solver.mesh.formats.ply.body import Body
@@ -44,6 +46,22 @@ class PlySource:
         kind = TextBody if self.header.byte_order is None else BinaryBody
         return kind(self.data, name, self.header, progress)
 
+    def at(self, element: Element, progress: Progress = silent) -> Body:
+        """The body where the rows of the element follow."""
+        body = self.body(progress=progress)
+        for before in takewhile(lambda other: other is not element, self.header.elements):
+            body.skip(before)
+        return body
+
+    def colours(self) -> FloatArray:
+        """(n, 4) of the vertices, which have some."""
+        vertex = self.header.vertex
+        names = [*next(filter(vertex.has_numbers, _COLOURS))]
+        names += [name for name in _ALPHA if vertex.has_numbers([name])][:1]
+        values = self.at(vertex).columns(vertex, names)
+        kind = np.dtype(vertex.properties[vertex.position(names[0])].type)
+        return rgba(values, 1.0 if kind.kind == "f" else np.iinfo(kind).max)
+
 
 def read_ply(data: bytes, name: str, progress: Progress = silent) -> FileContent:
     """Vertices and polygons, with a PlySource.
@@ -60,7 +78,9 @@ def read_ply(data: bytes, name: str, progress: Progress = silent) -> FileContent
         else:
             body.skip(element)
     _check_faces(polygons, len(V), name)
-    return FileContent(V, polygons, _extras(header), source)
+    extras = _extras(header)
+    colours = source.colours if any(map(header.vertex.has_numbers, _COLOURS)) else None
+    return FileContent(V, polygons, extras, source, colours=colours)
 
 
 def _extras(header: Header) -> dict[str, int]:

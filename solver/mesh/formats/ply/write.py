@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import takewhile
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from solver.mesh.formats.colours import whole
 from solver.mesh.formats.columns import changed_columns, turned_face_normals
 from solver.mesh.formats.format import DeformedSurface
-from solver.mesh.formats.ply.body import Body
-from solver.mesh.formats.ply.header import NORMAL, POSITION, Element
+from solver.mesh.formats.ply.header import COLOUR, NORMAL, POSITION
 from solver.mesh.formats.ply.read import PlySource
 from solver.mesh.formats.ply.widening import widened
-from solver.mesh.progress import Progress, silent
 
 _HEADER = b"""ply
 format binary_little_endian 1.0
@@ -21,7 +21,7 @@ element vertex %d
 property double x
 property double y
 property double z
-element face %d
+%belement face %d
 property list %b int vertex_indices
 end_header
 """
@@ -43,30 +43,26 @@ def _rewritten(source: PlySource, surface: DeformedSurface) -> bytes:
     source = widened(source)
     vertex, face = source.header.vertex, source.header.face
     has_normals = vertex.has_numbers(NORMAL)
-    normals = _at(vertex, source).columns(vertex, NORMAL) if has_normals else None
+    normals = source.at(vertex).columns(vertex, NORMAL) if has_normals else None
     names = POSITION + NORMAL if has_normals else POSITION
-    body = _at(vertex, source, surface.progress)
+    body = source.at(vertex, surface.progress)
     data = body.replaced(vertex, names, *changed_columns(surface, normals))
     if not face.has_numbers(NORMAL):
         return data
-    values, turned = turned_face_normals(surface, _at(face, source).columns(face, NORMAL))
+    values, turned = turned_face_normals(surface, source.at(face).columns(face, NORMAL))
     changed = np.repeat(turned[:, None], 3, axis=1)
-    return _at(face, replace(source, data=data)).replaced(face, NORMAL, values, changed)
-
-
-def _at(element: Element, source: PlySource, progress: Progress = silent) -> Body:
-    """The body where the rows of the element follow."""
-    body = source.body(progress=progress)
-    for before in takewhile(lambda other: other is not element, source.header.elements):
-        body.skip(before)
-    return body
+    return replace(source, data=data).at(face).replaced(face, NORMAL, values, changed)
 
 
 def _plain(surface: DeformedSurface) -> bytes:
-    X, polygons = surface.positions, surface.polygons
+    polygons = surface.polygons
     wide = bool((polygons.sizes > 255).any())
     count = np.dtype("<i4" if wide else "<u1")
-    head = _HEADER % (len(X), len(polygons.sizes), b"int" if wide else b"uchar")
+    rows = _vertex_rows(surface)
+    colours = b"".join(
+        b"property uchar %b\n" % name.encode() for name in (rows.dtype.names or ())[3:]
+    )
+    head = _HEADER % (len(rows), colours, len(polygons.sizes), b"int" if wide else b"uchar")
     # Each face is its count followed by its vertices, laid out byte by byte.
     lengths = count.itemsize + 4 * polygons.sizes
     starts = np.cumsum(lengths) - lengths
@@ -76,4 +72,16 @@ def _plain(surface: DeformedSurface) -> bytes:
     at = np.repeat(starts + count.itemsize - 4 * polygons.starts, polygons.sizes)
     at += 4 * np.arange(len(polygons.corners))
     faces[at[:, None] + np.arange(4)] = polygons.corners.astype("<i4").view(np.uint8).reshape(-1, 4)
-    return head + X.astype("<f8").tobytes() + faces.tobytes()
+    return head + rows.tobytes() + faces.tobytes()
+
+
+def _vertex_rows(surface: DeformedSurface) -> NDArray[Any]:
+    """(n,) records of x y z, and of a colour where the surface has some."""
+    columns: dict[str, NDArray[Any]] = dict(zip(POSITION, surface.positions.T, strict=True))
+    if surface.colours is not None:
+        columns |= zip(COLOUR, whole(surface.colours()).T, strict=True)
+    kinds = [(name, "<f8" if name in POSITION else "u1") for name in columns]
+    rows = np.empty(len(surface.positions), dtype=kinds)
+    for name, values in columns.items():
+        rows[name] = values
+    return rows
