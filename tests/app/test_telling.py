@@ -165,7 +165,9 @@ def test_ctrl_c_ends_quietly_at_any_moment(bar: Path, command: str, seconds: flo
         timeout=60,
         start_new_session=True,
     )
-    assert (done.returncode, done.stderr) == (130, b"")
+    # A shell shows both as 130; Python ends by the signal itself where that met a class being made.
+    assert done.returncode in (130, -signal.SIGINT)
+    assert done.stderr == b""
 
 
 def test_ctrl_c_while_a_mesh_is_posed_ends_with_130(

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from solver.errors import MeshError
 from solver.mesh.formats.format import DeformedSurface, FileContent
-from solver.mesh.formats.narrowing import narrowed
+from solver.mesh.formats.narrowing import narrowed, widened
 from solver.mesh.formats.stl_source import HEAD, RECORD, StlSource
 from solver.mesh.formats.text.file import TextFile, check_text
 from solver.mesh.formats.text.lines import Lines
@@ -57,7 +57,7 @@ def _read_binary(data: bytes, name: str) -> FloatArray:
             f"{name}: not an STL mesh, or cut short: {len(data)} bytes, "
             f"expected {HEAD + max(count, 1) * RECORD.itemsize} or more"
         )
-    corners = _records(data)["corners"].astype(np.float64)
+    corners = widened(_records(data)["corners"])
     bad = np.flatnonzero(~np.isfinite(corners).all(axis=(1, 2)))
     if bad.size:
         raise MeshError(f"{name}, triangle {bad[0] + 1}: expected finite coordinates")

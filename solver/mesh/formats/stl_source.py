@@ -9,7 +9,7 @@ import numpy as np
 
 from solver.mesh.formats.columns import turned_face_normals
 from solver.mesh.formats.format import DeformedSurface
-from solver.mesh.formats.narrowing import narrowed
+from solver.mesh.formats.narrowing import narrowed, widened
 from solver.mesh.formats.text.file import TextFile
 from solver.mesh.formats.text.lines import Lines
 from solver.mesh.formats.text.points import read_any
@@ -43,7 +43,7 @@ class StlSource:
         triangles = surface.triangles
         end = HEAD + len(triangles) * RECORD.itemsize
         records = np.frombuffer(self.data[HEAD:end], RECORD).copy()
-        normals, turned = turned_face_normals(surface, records["normal"].astype(np.float64))
+        normals, turned = turned_face_normals(surface, widened(records["normal"]))
         moved = surface.moved[triangles]
         records["corners"][moved] = narrowed(surface.positions[triangles[moved]], "<f4")
         records["normal"][turned] = normals[turned]

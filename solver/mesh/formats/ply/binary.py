@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.errors import MeshError
-from solver.mesh.formats.narrowing import narrowed
+from solver.mesh.formats.narrowing import narrowed, widened
 from solver.mesh.formats.ply.body import Body, Lists
 from solver.mesh.formats.ply.header import Element, Header
 from solver.mesh.formats.text.splice import substituted
@@ -37,7 +37,8 @@ class BinaryBody(Body):
         result = np.empty((element.count, len(names)))
         for column, k in enumerate(map(element.position, names)):
             kind = element.properties[k].type
-            result[:, column] = self._gather(layout.starts[:, k], layout.lengths[:, k], kind)
+            found = self._gather(layout.starts[:, k], layout.lengths[:, k], kind)
+            result[:, column] = widened(found)
         return result
 
     def lists(self, element: Element, name: str) -> Lists:
