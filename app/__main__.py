@@ -70,8 +70,12 @@ def _window(arguments: Sequence[str]) -> None:
     parser.add_argument("file", nargs="?", type=Path, metavar="MESH | SESSION", help=file_help)
     parser.add_argument("--session", type=Path, metavar="FILE", help="a session file, on MESH")
     parser.add_argument("--export", type=Path, metavar="FILE", help="where Ctrl+E saves the mesh")
-    options = parser.parse_args(arguments)
+    options, others = parser.parse_known_args(arguments)
     mesh, session = options.file, options.session
+    if others and others[0].lower().endswith(SESSION_SUFFIX):
+        parser.error(f"{others[0]} on {mesh} needs --session before it")
+    if others:
+        parser.error(f"unrecognized arguments: {' '.join(others)}")
     if mesh is not None and mesh.suffix.lower() == SESSION_SUFFIX:
         if session is not None:
             parser.error(f"{mesh} and {session} are two sessions, expected a mesh and a session")
@@ -101,6 +105,8 @@ def _deform(arguments: Sequence[str]) -> None:
     parser.add_argument(
         "--exact", action="store_true", help="large meshes too: frames for every triangle"
     )
+    if arguments and arguments[0].lower().endswith(SESSION_SUFFIX):
+        parser.error(f"{arguments[0]} is a session, expected MESH --session {arguments[0]}")
     options = parser.parse_args(arguments)
     from app.headless import Wish, deform
 
