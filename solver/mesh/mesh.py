@@ -30,6 +30,7 @@ class Mesh:
     Arrays are read-only. `outlines` are the polygons of the file, `triangle_corners` (m, 3) their
     corners that each triangle takes: `faces == outlines.corners[triangle_corners]`. `extras` counts
     what else the file holds, in plain words; `source` is what its format keeps of that to save it.
+    `groups` and `colours` (a function) are as in `FileContent`, None where the file has none.
 
     >>> import solver
     >>> mesh = solver.Mesh.from_arrays([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2, 3]])
@@ -143,19 +144,7 @@ class Mesh:
         >>> quad.left_out("out.ply")
         ''
         """
-        file_format = _format(path)
-        if isinstance(self.source, file_format.source):
-            return ""
-        lost = [
-            words.removesuffix(" left out")
-            for words, count in self.extras.items()
-            if count and words not in file_format.holds
-        ]
-        large = self.outlines.sizes[self.outlines.sizes > 3]
-        if len(large) and file_format.only_triangles:
-            kind = "quad" if (large == 4).all() else "polygon"
-            number = f"{len(large):,} {kind}{'s' * (len(large) > 1)}"
-            lost.append(f"polygons ({number} became triangles)")
+        lost = _format(path).left_out(self.source, self.extras, self.outlines)
         name = Path(path).suffix[1:].upper()
         return f"{name} keeps no {', '.join(lost)}" if lost else ""
 

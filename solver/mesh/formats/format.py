@@ -102,3 +102,19 @@ class Format:
     holds: frozenset[str] = frozenset()
     only_triangles: bool = False
     keeps_poses: bool = False
+
+    def left_out(self, source: object, extras: Mapping[str, int], polygons: Polygons) -> list[str]:
+        """What a file of this format does not keep of a surface, in plain words."""
+        if isinstance(source, self.source):
+            return []
+        lost = [
+            words.removesuffix(" left out")
+            for words, count in extras.items()
+            if count and words not in self.holds
+        ]
+        large = polygons.sizes[polygons.sizes > 3]
+        if len(large) and self.only_triangles:
+            kind = "quad" if (large == 4).all() else "polygon"
+            number = f"{len(large):,} {kind}{'s' * (len(large) > 1)}"
+            lost.append(f"polygons ({number} became triangles)")
+        return lost
