@@ -9,11 +9,9 @@ from pathlib import Path
 from typing import NoReturn
 
 from app.bundled import DEFAULT_SESSION
-from app.graphics import loading
-from solver.errors import SolverError
-from solver.mesh.formats.table import FORMATS
+from app.telling import flush, tell
 
-USAGE_ERROR = 2
+USAGE_ERROR, INTERRUPTED = 2, 130
 SESSION_SUFFIX = ".json"
 COMMAND = "surface-deformation"
 PROGRAM = COMMAND if Path(sys.argv[0]).stem == COMMAND else "python -m app"
@@ -29,24 +27,39 @@ other commands (each has --help):
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """One line, where argparse would print its usage too."""
-        self.exit(USAGE_ERROR, f"{self.prog}: {message} (see --help)\n")
+        tell(f"{self.prog}: {message} (see --help)", error=True)
+        self.exit(USAGE_ERROR)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run one command; 0: done, 2: the input or the command is wrong."""
-    arguments = list(sys.argv[1:] if arguments is None else arguments)
+    """Run one command; 0: done, 2: the input or the command is wrong, 130: Ctrl+C."""
+    try:
+        return _run(list(sys.argv[1:] if arguments is None else arguments))
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    finally:
+        flush()
+
+
+def _run(arguments: list[str]) -> int:
+    # Here, as in every command: loading them takes its time, and Ctrl+C may come meanwhile.
+    from solver.errors import SolverError
+
     try:
         if arguments and arguments[0] in COMMANDS:
             COMMANDS[arguments[0]](arguments[1:])
         else:
             _window(arguments)
     except (SolverError, OSError) as error:
-        print(f"{PROGRAM}: {error}", file=sys.stderr)
+        tell(f"{PROGRAM}: {error}", error=True)
         return USAGE_ERROR
     return 0
 
 
 def _window(arguments: Sequence[str]) -> None:
+    from app.graphics import loading
+    from solver.mesh.formats.table import FORMATS
+
     parser = _Parser(
         prog=PROGRAM,
         description="Open a mesh or a session in a window: paint, drag, save.",
@@ -57,8 +70,12 @@ def _window(arguments: Sequence[str]) -> None:
     parser.add_argument("file", nargs="?", type=Path, metavar="MESH | SESSION", help=file_help)
     parser.add_argument("--session", type=Path, metavar="FILE", help="a session file, on MESH")
     parser.add_argument("--export", type=Path, metavar="FILE", help="where Ctrl+E saves the mesh")
-    options = parser.parse_args(arguments)
+    options, others = parser.parse_known_args(arguments)
     mesh, session = options.file, options.session
+    if others and others[0].lower().endswith(SESSION_SUFFIX):
+        parser.error(f"{others[0]} on {mesh} needs --session before it")
+    if others:
+        parser.error(f"unrecognized arguments: {' '.join(others)}")
     if mesh is not None and mesh.suffix.lower() == SESSION_SUFFIX:
         if session is not None:
             parser.error(f"{mesh} and {session} are two sessions, expected a mesh and a session")
@@ -94,11 +111,15 @@ def _deform(arguments: Sequence[str]) -> None:
         "--exact", action="store_true", help="large meshes too: frames for every triangle"
     )
     _add_force(parser)
+    if arguments and arguments[0].lower().endswith(SESSION_SUFFIX):
+        parser.error(f"{arguments[0]} is a session, expected MESH --session {arguments[0]}")
     options = parser.parse_args(arguments)
     from app.headless import Wish, deform
 
     wish = Wish(options.rigid, options.pose, options.poses, options.exact, options.force)
-    deform(options.mesh, options.session, options.output, wish)
+    left_out = deform(options.mesh, options.session, options.output, wish)
+    if left_out:
+        tell(f"saved {options.output}; {left_out}", error=True)
 
 
 def _info(arguments: Sequence[str]) -> None:
@@ -109,7 +130,8 @@ def _info(arguments: Sequence[str]) -> None:
     options = parser.parse_args(arguments)
     from app.headless import info
 
-    print(info(options.mesh))
+    for line in info(options.mesh):
+        tell(line)
 
 
 def _demo(arguments: Sequence[str]) -> None:

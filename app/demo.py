@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Sequence
+from contextlib import closing
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -15,6 +15,7 @@ from app.editor import commands as c
 from app.editor.editor import Editor
 from app.graphics import GraphicsError, loading
 from app.model.document import Document
+from app.telling import tell
 from app.viewpoint.camera import Camera
 from app.viewpoint.events import Input
 from app.viewpoint.framing import framing
@@ -83,11 +84,19 @@ def demo(folder: Path) -> None:
     Where no graphics library can be used, the pictures are left out and it says so.
     """
     editor = Editor(Document(load_mesh(DEFAULT_MESH), DEFAULT_MESH), ProcessWorker())
+    with closing(editor):
+        _perform(editor, folder)
+    if editor.message is not None and editor.message.kind == "error":
+        raise SolverError(editor.message.text)
+    tell(f"{folder / 'demo.obj'}, {folder / 'demo.json'}: saved")
+
+
+def _perform(editor: Editor, folder: Path) -> None:
     camera = framing(editor.positions, PICTURE_SIZE)
     try:
         draw = painter(editor, camera)
     except GraphicsError as error:
-        print(f"no pictures: {error}", file=sys.stderr)
+        tell(f"no pictures: {error}", error=True)
         draw = _no_picture
     performer = Performer(editor, camera)
     paint_regions(performer)
@@ -101,10 +110,6 @@ def demo(folder: Path) -> None:
     editor.execute(c.Export(folder / "demo.obj", replace=True))
     editor.complete()
     editor.execute(c.SaveSession(folder / "demo.json", replace=True))
-    editor.close()
-    if editor.message is not None and editor.message.kind == "error":
-        raise SolverError(editor.message.text)
-    print(f"{folder / 'demo.obj'}, {folder / 'demo.json'}: saved")
 
 
 def _no_picture(path: Path, caption: str) -> None:
@@ -140,6 +145,6 @@ def painter(
         view.show(editor.scene())
         view.look(camera)
         view.picture(path)
-        print(f"{path}: {caption}")
+        tell(f"{path}: {caption}")
 
     return draw

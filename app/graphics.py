@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from app.signals import interrupts_held
 from solver.errors import SolverError
 
 
@@ -18,9 +19,13 @@ class GraphicsError(SolverError):
 
 @contextmanager
 def loading() -> Iterator[None]:
-    """Around imports of modules that draw: a missing library becomes a GraphicsError."""
+    """Around imports of modules that draw: a missing library becomes a GraphicsError.
+
+    Ctrl+C waits: half loaded, the library crashes when the program ends.
+    """
     try:
-        yield
+        with interrupts_held():
+            yield
     except ImportError as error:
         if error.name and error.name.split(".")[0] in {"app", "solver"}:
             raise  # one of ours is missing: a mistake in the program, not in the machine

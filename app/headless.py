@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +13,7 @@ from app.model.document import Document
 from app.model.handles import Pose
 from app.model.outputs import check_outputs
 from app.model.schema import SessionError
+from app.telling import tell
 from app.worker.memory import check_memory
 from solver import Deformer, load_mesh
 from solver.mesh.mesh import pose_paths
@@ -42,8 +42,10 @@ class Wish:
     force: bool = False
 
 
-def deform(mesh: Path, session: Path, output: Path, wish: Wish) -> None:
+def deform(mesh: Path, session: Path, output: Path, wish: Wish) -> str:
     """Pose `mesh` as `session` says, but for what is wished for, and save it. Raises SolverError.
+
+    Returns what `output` does not keep of the mesh, in words; empty if it keeps all.
 
     Kept poses become morph targets of a format that has them, else a file each beside `output`.
     `mesh` and `session` are never replaced, other files only where that is wished for.
@@ -64,6 +66,7 @@ def deform(mesh: Path, session: Path, output: Path, wish: Wish) -> None:
     posed = poser(document)
     X = posed(document.pose)
     document.mesh.save(output, X, {name: posed(pose) for name, pose in shapes.items()})
+    return document.mesh.left_out(output)
 
 
 def _document(mesh: Path, session: Path) -> Document:
@@ -79,7 +82,7 @@ def _document(mesh: Path, session: Path) -> Document:
                 f"{changed}, and its vertices are others; open {session} in the window "
                 "to carry it over"
             ) from changed
-        print(f"note: {changed}; its vertices are told by their numbers", file=sys.stderr)
+        tell(f"note: {changed}; its vertices are told by their numbers", error=True)
         return load_document(mesh, session, carry="numbers")
 
 
@@ -101,11 +104,10 @@ def _kept(document: Document, name: str) -> Pose:
     return poses[name]
 
 
-def info(path: Path) -> str:
-    """What a mesh file holds and what is unusual about it, as text. Raises SolverError."""
+def info(path: Path) -> list[str]:
+    """What a mesh file holds and what is unusual about it, as lines. Raises SolverError."""
     counts = mesh_statistics(load_mesh(path))
-    lines = [f"{path}", *_surface_lines(counts), *_extra_lines(counts), *_odd_lines(counts)]
-    return "\n".join(lines)
+    return [f"{path}", *_surface_lines(counts), *_extra_lines(counts), *_odd_lines(counts)]
 
 
 def _surface_lines(counts: MeshStatistics) -> list[str]:

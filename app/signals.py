@@ -11,6 +11,19 @@ ENDING = "SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT"  # no system has to know all o
 
 
 @contextmanager
+def interrupts_held() -> Iterator[None]:
+    """Ctrl+C meanwhile counts afterwards: for what would be left in pieces."""
+    held: list[int] = []
+    before = signal.signal(signal.SIGINT, lambda number, frame: held.append(number))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+        if held:
+            signal.raise_signal(signal.SIGINT)
+
+
+@contextmanager
 def told_to_end() -> Iterator[list[int]]:
     """The signals received meanwhile: none of them ends the program, which may first save.
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -18,6 +17,7 @@ from app.latest import Latest
 from app.model.document import Document
 from app.scene.overlay import NOTHING, Overlay
 from app.scene.scene import Scene
+from app.telling import tell
 from app.viewpoint.events import Input
 from app.workspace.color_maps import MAPS
 from app.workspace.operator import Operator
@@ -109,7 +109,7 @@ class Editor(Workspace):
         finally:
             self.worker.close()
         for name in undone:
-            print(f"{name} was not finished", file=sys.stderr)
+            tell(f"{name} was not finished", error=True)
 
     @property
     def captures(self) -> bool:

@@ -54,9 +54,12 @@ class MeshSaving:
 
     @property
     def done(self) -> str:
-        """What is said afterwards."""
-        beside = len(self.files(self.path)) - 1
-        return f"Exported {whole(self.path)}" + (f", {beside} files beside it" if beside else "")
+        """What is said afterwards: where it is, and what its format does not keep."""
+        beside, left_out = len(self.files(self.path)) - 1, self.mesh.left_out(self.path)
+        parts = [f"Exported {whole(self.path)}"]
+        parts += [f", {beside} files beside it"] if beside else []
+        parts += [f"; {left_out}"] if left_out else []
+        return "".join(parts)
 
     @property
     def _is_open(self) -> bool:

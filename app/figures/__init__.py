@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 from app.bundled import DEFAULT_MESH
@@ -14,6 +13,7 @@ from app.figures.paper import of_the_paper
 from app.figures.report import markdown, record
 from app.figures.stage import draw
 from app.graphics import GraphicsError
+from app.telling import tell
 from solver import load_mesh
 from solver.storage import write_atomically
 
@@ -31,12 +31,12 @@ def figures(folder: Path) -> None:
     try:
         draw(found, folder)
     except GraphicsError as error:
-        print(f"no pictures: {error}", file=sys.stderr)
+        tell(f"no pictures: {error}", error=True)
         pictures = None
     rest = ArmMeasures(arm).at_rest()
     write_atomically(folder / "figures.json", record(found, rest).encode())
     write_atomically(folder / "figures.md", markdown(found, rest, pictures).encode())
-    print(f"{folder / 'figures.json'}, {folder / 'figures.md'}: saved")
+    tell(f"{folder / 'figures.json'}, {folder / 'figures.md'}: saved")
 
 
 def compute(arm: Arm) -> list[Figure]:

@@ -9,6 +9,7 @@ from app.bundled import DEFAULT_MESH
 from app.figures.figure import Figure
 from app.graphics import loading
 from app.scene.scene import Dots, Scene, dot_radius
+from app.telling import tell
 from app.viewpoint.camera import FIELD_OF_VIEW, Camera
 from solver import load_mesh
 from solver.geometry.topology import Topology
@@ -34,4 +35,4 @@ def draw(figures: Sequence[Figure], folder: Path) -> None:
         view.show(Scene(mesh, mesh.polygons, figure.X, figure.colors, dots))
         view.look(CAMERAS[figure.camera])
         view.picture(folder / figure.picture)
-        print(f"{folder / figure.picture}: {figure.title}")
+        tell(f"{folder / figure.picture}: {figure.title}")

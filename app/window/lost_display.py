@@ -9,6 +9,8 @@ import traceback
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from app.telling import tell
+
 LOST = 1  # the exit code, as X has it
 _HANDLER = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
 
@@ -26,7 +28,7 @@ def display_lost(keep: Callable[[], None]) -> Iterator[None]:
 
     def lost(display: int | None) -> int:
         try:
-            print("the display is gone", file=sys.stderr)
+            tell("the display is gone", error=True)
             keep()
         except BaseException:  # nobody is there to hear of it any more
             traceback.print_exc()

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 
 import polyscope.imgui as psim
 
+from app.telling import readable
 from app.window.panel.widgets import ERROR_COLOR, WIDTH
 from app.window.scaling import scaled
 from app.workspace.interaction import Message
@@ -57,6 +58,7 @@ def overlay(
     fraction: of a bar below that shows how far something is, None without one.
     above: how many pixels higher than usual.
     """
+    text = readable(text)
     with _place(name, PLACE | psim.ImGuiWindowFlags_NoInputs, above):
         if error:
             psim.TextColored(ERROR_COLOR, text)

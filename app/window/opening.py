@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import atexit
+
 import numpy as np
 import polyscope as ps
 import polyscope.imgui as psim
@@ -92,16 +94,25 @@ def _start(backends: tuple[str, ...], size: tuple[int, int]) -> None:
 
 
 def _init(backends: tuple[str, ...]) -> None:
-    """The first backend that starts; the reason of the last where none does."""
+    """The first backend that starts. Raises GraphicsError, the reason of the last, if none does."""
     for number, backend in enumerate(backends, start=1):
         try:
             ps.init(backend)
         except RuntimeError as error:
             if number == len(backends):
-                ps.init("openGL_mock")  # else Polyscope complains at exit that it never started
                 raise GraphicsError(error) from error
         else:
             return
+
+
+def _start_at_last() -> None:
+    """Polyscope complains at exit, or crashes there, where it was loaded and never started."""
+    if not ps.is_initialized():
+        ps.set_verbosity(0)
+        ps.init("openGL_mock")
+
+
+atexit.register(_start_at_last)
 
 
 def _style() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import polyscope.imgui as psim
 
 from app.editor.question import Answer, Question
+from app.telling import readable
 from app.window.panel.widgets import shares, shortened
 from app.window.scaling import scaled
 
@@ -47,7 +48,7 @@ def _width(question: Question) -> float:
 
 
 def _buttons(question: Question) -> Answer | None:
-    psim.TextWrapped(question.text)
+    psim.TextWrapped("\n".join(map(readable, question.text.split("\n"))))
     psim.Spacing()
     labels = [answer.label for answer in question.answers]
     pressed = [_button(label, size) for label, size in shares(*labels)]
@@ -59,7 +60,7 @@ def _buttons(question: Question) -> Answer | None:
 def _button(label: str, size: tuple[float, float]) -> bool:
     """With the beginning and the end of a label that does not fit into the window."""
     room = size[0] - 2.0 * psim.GetStyle().FramePadding[0]
-    return bool(psim.Button(f"{shortened(label, room)}###{label}", size))
+    return bool(psim.Button(f"{shortened(readable(label), room)}###{label}", size))
 
 
 def _went_down(*keys: int) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +10,7 @@ import polyscope as ps
 from app.bundled import is_bundled
 from app.editor.editor import Editor
 from app.model.preferences import PreferencesFile
+from app.telling import tell
 from app.window.opening import open_window
 from app.window.scaling import set_scale
 from app.workspace.recent import Recent
@@ -63,6 +63,6 @@ class Remembered:
         """Once, that preferences are not read or kept."""
         if self.file.fault and self.file.fault != self._told:
             self._told = self.file.fault
-            print(self._told, file=sys.stderr)
+            tell(self._told, error=True)
             if self._editor is not None:
                 self._editor.say(self._told, "error")

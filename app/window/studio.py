@@ -13,6 +13,7 @@ from app.bundled import writable
 from app.editor.editor import Editor
 from app.editor.replacing import whole
 from app.model.free_path import free_path
+from app.telling import tell
 from app.viewpoint.camera import Camera
 from app.viewpoint.moves import orbited
 from app.window.film import Film, Picture, PictureError, check_pictures, save_picture
@@ -92,7 +93,7 @@ class Studio:
             self._end_recording(self._film)
         if self._saving is not None:
             self._saving.join()
-            print(self._saved[0])
+            tell(self._saved[0])
 
     def _take_turn(self, film: Film) -> None:
         number = film.count

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 from app.editor import commands as c
 from app.editor.editor import Editor
+from app.telling import tell
 from app.unsaved.keeper import Keeper
 from app.unsaved.places import clean_up
 from app.window.file_dialogs import FileDialogs
@@ -88,12 +88,10 @@ class UnsavedWork:
         try:
             kept = self._keeper.keep()
         except SolverError as error:
-            print(error, file=sys.stderr)
+            tell(str(error), error=True)
         else:
             if kept is not None:
-                print(
-                    f"unsaved work is offered at the next start; it is kept in {kept}", flush=True
-                )
+                tell(f"unsaved work is offered at the next start; it is kept in {kept}")
 
     def close(self) -> None:
         """Keep it, and leave it to the next start."""

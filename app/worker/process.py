@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import signal
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from multiprocessing.process import BaseProcess
@@ -50,7 +52,7 @@ class SolverProcess:
             return
         ours, theirs = CONTEXT.Pipe()
         process = CONTEXT.Process(target=serve, args=(theirs,), name="solver", daemon=True)
-        with _in_environment(dict.fromkeys(ONE_THREAD, "1")):
+        with _in_environment(dict.fromkeys(ONE_THREAD, "1")), _interrupts_held():
             process.start()
         theirs.close()  # else the pipe would stay open when the process is gone
         self._process, self._courier = process, Courier(ours)
@@ -105,3 +107,22 @@ def _in_environment(values: dict[str, str]) -> Iterator[None]:
     finally:
         for name in added:
             del os.environ[name]
+
+
+@contextmanager
+def _interrupts_held() -> Iterator[None]:
+    """A process started within hears no Ctrl+C, also before it can say that it wants none.
+
+    It reaches all processes of a terminal. This one hears it afterwards.
+    """
+    if sys.platform == "win32":
+        yield
+        return
+    from multiprocessing import resource_tracker
+
+    resource_tracker.ensure_running()  # it would be started within, and lets all signals through
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)

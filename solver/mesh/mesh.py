@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from solver.errors import MeshError
 from solver.geometry.welding import pieces
-from solver.mesh.formats.format import DeformedSurface, FileContent, Format, Groups
+from solver.mesh.formats.format import Colours, DeformedSurface, FileContent, Format, Groups
 from solver.mesh.formats.table import FORMATS
 from solver.mesh.polygons import Polygons, triangulate
 from solver.mesh.progress import Progress, in_steps, portion, silent
@@ -30,6 +30,7 @@ class Mesh:
     Arrays are read-only. `outlines` are the polygons of the file, `triangle_corners` (m, 3) their
     corners that each triangle takes: `faces == outlines.corners[triangle_corners]`. `extras` counts
     what else the file holds, in plain words; `source` is what its format keeps of that to save it.
+    `groups` and `colours` (a function) are as in `FileContent`, None where the file has none.
 
     >>> import solver
     >>> mesh = solver.Mesh.from_arrays([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2, 3]])
@@ -44,6 +45,7 @@ class Mesh:
     extras: Mapping[str, int]
     source: object
     groups: Groups | None = None
+    colours: Colours | None = None
 
     @classmethod
     def from_arrays(cls, V: ArrayLike, F: ArrayLike) -> Mesh:
@@ -93,9 +95,10 @@ class Mesh:
         """Write the mesh with positions X (n, 3), in the format of the path's suffix.
 
         A file saved in the format of its source keeps all else in it: an OBJ every byte but the
-        coordinates of `v` lines that moved and of `vn` lines that turned; a PLY or OFF so too, in
-        the type of its numbers; a GLB or glTF everything but positions, normals and tangents.
-        Other formats keep the polygons (STL, GLB: triangles).
+        coordinates of `v` lines that moved and of `vn` lines that turned; a PLY, OFF or STL so too,
+        in the type of its numbers; a GLB or glTF everything but positions, normals and tangents.
+        Other formats keep the polygons (STL, GLB: triangles) and, but for STL, colours of vertices;
+        `left_out` tells the rest.
         poses: positions (n, 3) by name. They become morph targets of a GLB or glTF, and beside any
         other file, say out.obj, a file each: out-fist.obj.
         progress: called a dozen times with growing fractions, 1 at the end. Where it raises, saving
@@ -117,6 +120,7 @@ class Mesh:
             name,
             poses={pose: self._positions(Y) for pose, Y in (poses or {}).items()},
             groups=self.groups,
+            colours=self.colours,
         )
         files = {name: surface}
         for pose, file in pose_paths(name, surface.poses).items():
@@ -126,6 +130,23 @@ class Mesh:
             here = portion(tell, done / len(files), (done + 0.9) / len(files))
             write_atomically(file, file_format.write(replace(content, progress=here)))
             tell((done + 1) / len(files))
+
+    def left_out(self, path: str | os.PathLike[str]) -> str:
+        """What a file saved at `path` does not keep of the mesh, in words; empty if it keeps all.
+
+        Raises MeshError for the suffix.
+
+        >>> import solver
+        >>> corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+        >>> quad = solver.Mesh.from_arrays(corners, [[0, 1, 2, 3]])
+        >>> quad.left_out("out.stl")
+        'STL keeps no polygons (1 quad became triangles)'
+        >>> quad.left_out("out.ply")
+        ''
+        """
+        lost = _format(path).left_out(self.source, self.extras, self.outlines)
+        name = Path(path).suffix[1:].upper()
+        return f"{name} keeps no {', '.join(lost)}" if lost else ""
 
     def _positions(self, X: ArrayLike) -> FloatArray:
         positions = _positions(X)
@@ -165,8 +186,8 @@ def _build(content: FileContent, name: str) -> Mesh:
     faces = polygons.corners[corners]
     for array in (vertices, polygons.sizes, polygons.corners, corners, faces):
         _lock(array)
-    extras, source, groups = content.extras, content.source, content.groups
-    return Mesh(vertices, polygons, corners, faces, extras, source, groups)
+    more = content.extras, content.source, content.groups, content.colours
+    return Mesh(vertices, polygons, corners, faces, *more)
 
 
 def pose_paths(path: str | os.PathLike[str], poses: Iterable[str]) -> dict[str, str]:

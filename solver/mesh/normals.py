@@ -27,9 +27,11 @@ def turn_normals(
     result is the mean over corners, weighted by rest area, at the length of the original. Triangles
     without area, at rest or deformed, have no vote. Below 1e-9 a normal has not turned.
     """
-    size = np.linalg.norm(normals, axis=1, keepdims=True)
+    with np.errstate(over="ignore", invalid="ignore"):  # files hold any numbers
+        size = np.linalg.norm(normals, axis=1, keepdims=True)
     # NaN compares false: an unreadable normal has no direction, and stays.
-    before = np.divide(normals, size, out=np.zeros_like(normals), where=size > 0)
+    known = (size > 0) & np.isfinite(size)
+    before = np.divide(normals, size, out=np.zeros_like(normals), where=known)
     rotation, area = _mean_rotations(len(normals), users, V, X, F)
     mean = np.einsum("kij,kj->ki", rotation, before)
     length = np.linalg.norm(mean, axis=1, keepdims=True)

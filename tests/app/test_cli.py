@@ -67,6 +67,19 @@ def test_deform_keeps_what_is_fixed_and_moves_what_is_held() -> None:
     np.testing.assert_allclose(X[HANDLE], expected, rtol=0, atol=1e-9)
 
 
+def test_what_the_output_does_not_keep_is_one_line(capsys: pytest.CaptureFixture[str]) -> None:
+    """Nothing is wrong: the exit code is 0."""
+    deform = ["deform", "bar.obj", "--session", "bar.json", "-o"]
+    assert main([*deform, "out.ply"]) == 0
+    assert capsys.readouterr() == ("", "")
+    write("bar.obj", Path("bar.obj").read_text() + "vt 0 0\nl 1 2\n")
+    assert main([*deform, "out.obj"]) == 0
+    assert capsys.readouterr() == ("", "")
+    assert main([*deform, "out.stl"]) == 0
+    told = capsys.readouterr()
+    assert told == ("", "saved out.stl; STL keeps no texture coordinates, lines\n")
+
+
 def test_a_session_without_a_handle_deforms_nothing() -> None:
     session(handles=[])
     assert main(["deform", "bar.obj", "--session", "bar.json", "-o", "out.obj"]) == 0

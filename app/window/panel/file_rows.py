@@ -11,8 +11,9 @@ from app.editor.editor import Editor
 from app.editor.file_actions import open_command
 from app.editor.file_paths import default_export_path, default_session_path
 from app.model.session_files import session_name
+from app.telling import readable
 from app.window.file_dialogs import FileDialogs
-from app.window.panel.widgets import REST_OF_LINE, disabled, shares, shortened
+from app.window.panel.widgets import REST_OF_LINE, disabled, shares, shortened, text_field
 from app.window.scaling import scaled
 from app.window.shortcuts import WindowAction
 
@@ -66,7 +67,7 @@ class FileRows:
             for (text, size), tip, action in zip(shares(label, asking), tips, actions, strict=True):
                 if psim.Button(text, size):
                     asked.append(WindowAction(action))
-                psim.SetItemTooltip(tip)
+                psim.SetItemTooltip(readable(tip))
 
     def _fields(self, editor: Editor, asked: list[c.Command]) -> None:
         if self._used == "open":
@@ -108,21 +109,22 @@ def _recent(editor: Editor, asked: list[c.Command]) -> None:
         if not psim.BeginCombo("##recent", "Recent"):
             return
         for number, path in enumerate(paths):
-            name = shortened(f"{path.parent.name}/{path.name}", scaled(RECENT_WIDTH))
+            name = readable(f"{path.parent.name}/{path.name}")
+            name = shortened(name, scaled(RECENT_WIDTH))
             if psim.Selectable(f"{name}##{number}"):
                 asked.append(open_command(path))
-            psim.SetItemTooltip(str(path))
+            psim.SetItemTooltip(readable(str(path)))
         psim.EndCombo()
 
 
 def _row(label: str, hint: str, text: str) -> tuple[str, bool]:
     """The text in the field now, and whether its button or Enter was pressed."""
-    entered, text = psim.InputTextWithHint(f"##{label}", hint, text, PATH_FIELD)
+    entered, text = text_field(f"##{label}", text, hint, PATH_FIELD)
     if psim.IsItemHovered() and text:
-        psim.SetTooltip(text)
+        psim.SetTooltip(readable(text))
     psim.SameLine()
     pressed = psim.Button(label, REST_OF_LINE)
-    return text, bool(pressed or entered)
+    return text, pressed or entered
 
 
 def _path(text: str) -> Path:

@@ -8,6 +8,7 @@ import polyscope.imgui as psim
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.model.handles import rotation_of
+from app.telling import readable
 from app.window.panel.widgets import BUTTON_COLUMN, REST_OF_LINE, button_column
 from app.window.scaling import scaled
 from solver.geometry.motions import euler_angles
@@ -42,7 +43,7 @@ class PlaceRows:
         button_column()
         if psim.Button("reset", REST_OF_LINE):
             asked.append(c.ResetHandle(active.key))
-        psim.SetItemTooltip(f"{active.name} back to rest")
+        psim.SetItemTooltip(readable(f"{active.name} back to rest"))
 
     def _position(self, diagonal: float, now: Triple, asked: list[c.Command]) -> None:
         # As many decimals as tell thousandths of the mesh apart.

@@ -10,7 +10,8 @@ from app.editor import commands as c
 from app.editor.action import MOST_BETWEEN
 from app.editor.editor import Editor
 from app.model.poses import REST, REST_NAME, KeptPose
-from app.window.panel.widgets import REST_OF_LINE, halves
+from app.telling import readable
+from app.window.panel.widgets import REST_OF_LINE, halves, text_field
 from app.window.scaling import scaled
 from app.window.shortcuts import WindowAction
 
@@ -66,7 +67,7 @@ def _row(editor: Editor, kept: KeptPose, asked: list[c.Command]) -> None:
     psim.SetItemTooltip("Go to this pose")
     psim.SameLine()
     psim.SetNextItemWidth(scaled(NAME_WIDTH))
-    _, name = psim.InputText("##pose", kept.name)
+    _, name = text_field("##pose", kept.name)
     # Once it is typed: on the way to its name it may be called like another.
     if psim.IsItemDeactivatedAfterEdit() and name != kept.name:
         asked.append(c.RenamePose(kept.key, name))
@@ -96,7 +97,7 @@ def _blend(editor: Editor, asked: list[c.Command]) -> None:
     """From which pose to which, and how far."""
     blend = editor.blend
     keys = [REST, *(kept.key for kept in editor.document.poses)]
-    names = [REST_NAME, *(kept.name for kept in editor.document.poses)]
+    names = [REST_NAME, *(readable(kept.name) for kept in editor.document.poses)]
     # One that was deleted leads from or to the rest shape.
     start, end = (key if key in keys else REST for key in (blend.start, blend.end))
     ends: tuple[tuple[str, int, Callable[[int], c.Command], str], ...] = (

@@ -12,6 +12,7 @@ from app.window.panel.widgets import (
     button_column,
     disabled,
     swatch,
+    text_field,
     text_until,
 )
 from app.window.scaling import scaled
@@ -35,7 +36,7 @@ def regions(editor: Editor, asked: list[c.Command]) -> None:
         psim.SameLine()
         count = f"{len(document.vertices_of(handle.key)):,}"
         psim.SetNextItemWidth(_room_before(count))
-        _, name = psim.InputText("##name", handle.name)
+        _, name = text_field("##name", handle.name)
         if name.strip() and name != handle.name:
             asked.append(c.RenameHandle(handle.key, name))
         psim.SameLine()

@@ -7,6 +7,7 @@ import polyscope.imgui as psim
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.model.settings import LARGE, LEVELS
+from app.telling import readable
 from app.window.panel.poses import rest_menu
 from app.window.panel.widgets import (
     BUSY_COLOR,
@@ -110,6 +111,6 @@ def pose(editor: Editor, asked: list[c.Command]) -> None:
             if psim.Button(label):
                 asked.append(command)
             if entries:
-                psim.SetItemTooltip(entries[-1].label)
+                psim.SetItemTooltip(readable(entries[-1].label))
         psim.SameLine()
     rest_menu(editor, asked)

@@ -6,6 +6,7 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
+from app.telling import readable
 from app.window.panel.widgets import BUSY_COLOR, WIDTH, text_until
 from app.window.scaling import scaled
 from app.window.shortcuts import WindowAction
@@ -43,7 +44,7 @@ def _hint(editor: Editor) -> None:
     below += psim.GetStyle().ItemSpacing[1]
     if editor.waits:
         psim.PushStyleColor(psim.ImGuiCol_Text, BUSY_COLOR)
-    psim.TextWrapped(editor.hint)
+    psim.TextWrapped(readable(editor.hint))
     if editor.waits:
         psim.PopStyleColor(1)
     psim.SetCursorPosY(max(below, psim.GetCursorPosY()))

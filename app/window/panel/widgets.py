@@ -10,6 +10,7 @@ from contextlib import contextmanager
 
 import polyscope.imgui as psim
 
+from app.telling import readable
 from app.window.scaling import scaled
 from solver.types import FloatArray
 
@@ -72,11 +73,22 @@ def button_column() -> None:
 
 def text_until(column: float, text: str, quiet: bool = False) -> None:
     """Text that ends before a column of the panel; where it is cut its tooltip has the whole."""
+    text = readable(text)
     room = scaled(column) - psim.GetCursorPosX() - psim.GetStyle().ItemSpacing[0]
     short = shortened(text, room)
     (psim.TextDisabled if quiet else psim.Text)(short)
     if short != text:
         psim.SetItemTooltip(text)
+
+
+def text_field(label: str, text: str, hint: str = "", flags: int = 0) -> tuple[bool, str]:
+    """A field for a name or a path: whether Enter asked for it, and what is in it now.
+
+    What cannot be shown is escaped, and stays what it was until something else is typed.
+    """
+    shown = readable(text)
+    entered, typed = psim.InputTextWithHint(label, hint, shown, flags)
+    return bool(entered), text if typed == shown else typed
 
 
 def shortened(text: str, width: float) -> str:

@@ -12,6 +12,8 @@ from solver.mesh.polygons import Polygons
 from solver.mesh.progress import Progress, silent
 from solver.types import BoolArray, FloatArray, IntArray
 
+Colours = Callable[[], FloatArray]
+
 
 @dataclass(frozen=True, eq=False)
 class Groups:
@@ -29,6 +31,7 @@ class FileContent:
     extras: what else is in it that saving keeps, in plain words, and how many of each.
     source: what its format needs to write that back, None where it keeps nothing.
     groups: the polygons by the objects or nodes that they belong to, None where it names none.
+    colours: reads those of the vertices, (n, 4) as in `colours`, None where it has none.
     """
 
     vertices: FloatArray
@@ -36,6 +39,7 @@ class FileContent:
     extras: Mapping[str, int] = field(default_factory=dict)
     source: object = None
     groups: Groups | None = None
+    colours: Colours | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,6 +51,7 @@ class DeformedSurface:
     source: of the file the surface was read from. A format knows its own and ignores any other.
     path: where it is to be written.  poses: positions (n, 3) by name, for formats that keep them.
     progress: told how much of it is written.  groups: of its polygons, None where it has none.
+    colours: as in FileContent.
     """
 
     rest: FloatArray
@@ -58,11 +63,18 @@ class DeformedSurface:
     poses: Mapping[str, FloatArray] = field(default_factory=dict)
     progress: Progress = silent
     groups: Groups | None = None
+    colours: Colours | None = None
 
     @cached_property
     def triangles(self) -> IntArray:
         """(m, 3) vertices of each triangle."""
         return self.polygons.corners[self.triangle_corners]
+
+    @property
+    def polygon_of_triangle(self) -> IntArray:
+        """(m,) the polygon that each triangle is a part of."""
+        ends = np.cumsum(self.polygons.sizes)
+        return np.searchsorted(ends, self.triangle_corners[:, 0], side="right")
 
     @property
     def moved(self) -> BoolArray:
@@ -78,9 +90,31 @@ class Format:
     path and names the place, where they do not hold a surface.
     It tells its progress from 0 to 1.
     write: to the bytes of a file.
+    source: the type of what it keeps of a file of its own, and writes back.
+    holds: which extras a file has that is written from another format.
+    only_triangles: whether larger polygons are cut.
     keeps_poses: whether one file holds poses beside the surface; else each is a file of its own.
     """
 
     read: Callable[[bytes, str, Progress], FileContent]
     write: Callable[[DeformedSurface], bytes]
+    source: type
+    holds: frozenset[str] = frozenset()
+    only_triangles: bool = False
     keeps_poses: bool = False
+
+    def left_out(self, source: object, extras: Mapping[str, int], polygons: Polygons) -> list[str]:
+        """What a file of this format does not keep of a surface, in plain words."""
+        if isinstance(source, self.source):
+            return []
+        lost = [
+            words.removesuffix(" left out")
+            for words, count in extras.items()
+            if count and words not in self.holds
+        ]
+        large = polygons.sizes[polygons.sizes > 3]
+        if len(large) and self.only_triangles:
+            kind = "quad" if (large == 4).all() else "polygon"
+            number = f"{len(large):,} {kind}{'s' * (len(large) > 1)}"
+            lost.append(f"polygons ({number} became triangles)")
+        return lost

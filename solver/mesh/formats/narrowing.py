@@ -1,4 +1,4 @@
-"""Numbers in the narrower type of a file."""
+"""Numbers in the type of a file, which may be narrower, and back."""
 
 from __future__ import annotations
 
@@ -9,6 +9,12 @@ from numpy.typing import DTypeLike, NDArray
 
 from solver.errors import MeshError
 from solver.types import FloatArray
+
+
+def widened(values: NDArray[Any]) -> FloatArray:
+    """Numbers of a file as float64; one that is none of any kind stays so, without a warning."""
+    with np.errstate(invalid="ignore"):
+        return values.astype(np.float64)
 
 
 def narrowed(values: FloatArray, kind: DTypeLike) -> NDArray[Any]:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 from solver.errors import MeshError
 from solver.mesh.formats.format import DeformedSurface, FileContent
-from solver.mesh.formats.narrowing import narrowed
+from solver.mesh.formats.narrowing import narrowed, widened
+from solver.mesh.formats.stl_source import HEAD, RECORD, StlSource
 from solver.mesh.formats.text.file import TextFile, check_text
 from solver.mesh.formats.text.lines import Lines
 from solver.mesh.formats.text.points import finite_points
@@ -14,12 +18,9 @@ from solver.mesh.polygons import Polygons
 from solver.mesh.progress import Progress, silent
 from solver.types import FloatArray, IntArray
 
-_RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
-_HEAD = 84
-
 
 def read_stl(data: bytes, name: str, progress: Progress = silent) -> FileContent:
-    """Vertices and triangles; corners at exactly the same place become one vertex.
+    """Vertices and triangles, with an StlSource; corners in exactly one place are one vertex.
 
     Raises MeshError saying what was expected.
     """
@@ -28,13 +29,20 @@ def read_stl(data: bytes, name: str, progress: Progress = silent) -> FileContent
     is_text = data.lstrip()[:5].lower() == b"solid" and b"facet" in data
     corners = _read_text(data, name, progress) if is_text else _read_binary(data, name)
     V, faces = _weld(corners)
-    return FileContent(V, Polygons.from_array(faces))
+    attributes = 0 if is_text else int(np.count_nonzero(_records(data)["attribute"]))
+    extras = {"triangle attributes": attributes} if attributes else {}
+    return FileContent(V, Polygons.from_array(faces), extras, StlSource(data, is_text))
 
 
 def write_stl(surface: DeformedSurface) -> bytes:
-    """Binary STL of the triangles. The format rounds to float32; MeshError for what is beyond."""
+    """The file that was read with new corners and normals, or a binary one of the triangles.
+
+    A binary file rounds to float32; MeshError for what is beyond.
+    """
+    if isinstance(surface.source, StlSource):
+        return surface.source.rewritten(surface)
     corners = surface.positions[surface.triangles]
-    records = np.zeros(len(corners), dtype=_RECORD)
+    records = np.zeros(len(corners), dtype=RECORD)
     records["corners"] = narrowed(corners, "<f4")
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normal, axis=1, keepdims=True)
@@ -43,17 +51,25 @@ def write_stl(surface: DeformedSurface) -> bytes:
 
 
 def _read_binary(data: bytes, name: str) -> FloatArray:
-    count = int(np.frombuffer(data, "<u4", 1, 80)[0]) if len(data) >= _HEAD else 0
-    if count == 0 or len(data) < _HEAD + count * _RECORD.itemsize:
+    count = _count(data)
+    if count == 0 or len(data) < HEAD + count * RECORD.itemsize:
         raise MeshError(
             f"{name}: not an STL mesh, or cut short: {len(data)} bytes, "
-            f"expected {_HEAD + max(count, 1) * _RECORD.itemsize} or more"
+            f"expected {HEAD + max(count, 1) * RECORD.itemsize} or more"
         )
-    corners = np.frombuffer(data, _RECORD, count, _HEAD)["corners"].astype(np.float64)
+    corners = widened(_records(data)["corners"])
     bad = np.flatnonzero(~np.isfinite(corners).all(axis=(1, 2)))
     if bad.size:
         raise MeshError(f"{name}, triangle {bad[0] + 1}: expected finite coordinates")
     return corners.reshape(-1, 3)
+
+
+def _count(data: bytes) -> int:
+    return int(np.frombuffer(data, "<u4", 1, 80)[0]) if len(data) >= HEAD else 0
+
+
+def _records(data: bytes) -> NDArray[Any]:
+    return np.frombuffer(data, RECORD, _count(data), HEAD)
 
 
 def _read_text(data: bytes, name: str, progress: Progress) -> FloatArray:

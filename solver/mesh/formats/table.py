@@ -8,21 +8,27 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from solver.mesh.formats.format import Format
-from solver.mesh.formats.gltf.read import read_gltf
+from solver.mesh.formats.gltf.read import GltfSource, read_gltf
 from solver.mesh.formats.gltf.saving.write import write_glb, write_gltf
-from solver.mesh.formats.obj.read import read_obj
+from solver.mesh.formats.obj.read import ObjSource, read_obj
 from solver.mesh.formats.obj.write import write_obj
-from solver.mesh.formats.off.read import read_off
+from solver.mesh.formats.off.read import OffSource, read_off
 from solver.mesh.formats.off.write import write_off
-from solver.mesh.formats.ply.read import read_ply
+from solver.mesh.formats.ply.read import PlySource, read_ply
 from solver.mesh.formats.ply.write import write_ply
 from solver.mesh.formats.stl import read_stl, write_stl
+from solver.mesh.formats.stl_source import StlSource
+
+_COLOURS = frozenset({"colours"})
+_GLTF = _COLOURS | {"normals", "objects", "groups"}
 
 FORMATS: Mapping[str, Format] = {
-    ".obj": Format(read_obj, write_obj),
-    ".off": Format(read_off, write_off),
-    ".ply": Format(read_ply, write_ply),
-    ".stl": Format(read_stl, write_stl),
-    ".glb": Format(read_gltf, write_glb, keeps_poses=True),
-    ".gltf": Format(read_gltf, write_gltf, keeps_poses=True),
+    ".obj": Format(read_obj, write_obj, ObjSource, _COLOURS),
+    ".off": Format(read_off, write_off, OffSource, _COLOURS),
+    ".ply": Format(read_ply, write_ply, PlySource, _COLOURS),
+    ".stl": Format(read_stl, write_stl, StlSource, only_triangles=True),
+    ".glb": Format(read_gltf, write_glb, GltfSource, _GLTF, only_triangles=True, keeps_poses=True),
+    ".gltf": Format(
+        read_gltf, write_gltf, GltfSource, _GLTF, only_triangles=True, keeps_poses=True
+    ),
 }

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from solver.mesh.formats.gltf.container import Bytes, Gltf
 from solver.mesh.formats.gltf.schema import Json
+from solver.mesh.formats.narrowing import widened
 from solver.types import FloatArray, IntArray
 
 COMPONENTS: Mapping[int, np.dtype[Any]] = {
@@ -32,9 +33,7 @@ def read_floats(gltf: Gltf, number: int, kind: str) -> FloatArray:
     Raises MeshError where its type is another or the file does not hold its data.
     """
     raw = _read(gltf, number, kind)
-    # A float32 may be no number, of any kind.
-    with np.errstate(invalid="ignore"):
-        values = raw.astype(np.float64)
+    values = widened(raw)
     if raw.dtype.kind != "f" and gltf.json["accessors"][number].get("normalized"):
         values = np.maximum(values / np.iinfo(raw.dtype).max, -1.0)
     return values

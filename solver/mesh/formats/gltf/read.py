@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
 
+from solver.errors import MeshError
+from solver.mesh.formats.colours import from_light, rgba
 from solver.mesh.formats.format import FileContent, Groups
 from solver.mesh.formats.gltf.accessors import MOST_ELEMENTS, read_floats
 from solver.mesh.formats.gltf.container import Gltf, open_gltf
@@ -59,6 +62,21 @@ class GltfSource:
     gltf: Gltf
     parts: tuple[Part, ...]
 
+    def colours(self) -> FloatArray:
+        """(n, 4) of the vertices; white where a mesh has none, or not one for each."""
+        result = np.ones((self.parts[-1].vertices.stop, 4))
+        for part in self.parts:
+            primitives = self.gltf.json["meshes"][part.mesh]["primitives"]
+            used = (primitives[i]["attributes"].get("COLOR_0") for i in part.primitives)
+            number = next((number for number in used if number is not None), None)
+            if number is not None:
+                kind = self.gltf.json["accessors"][number]["type"]
+                with suppress(MeshError), np.errstate(invalid="ignore"):
+                    values = read_floats(self.gltf, number, kind)
+                    if kind in ("VEC3", "VEC4") and len(values) == part.count:
+                        result[part.vertices] = from_light(rgba(values))
+        return result
+
 
 def read_gltf(data: bytes, name: str, progress: Progress = silent) -> FileContent:
     """Vertices and triangles of a GLB or .gltf, with a GltfSource. Raises MeshError in one line.
@@ -87,7 +105,9 @@ def read_gltf(data: bytes, name: str, progress: Progress = silent) -> FileConten
     extras = _extras(gltf, list(first), len(shown) - len(first))
     source = GltfSource(gltf, tuple(reader.parts))
     vertices = np.concatenate(reader.vertices)
-    return FileContent(vertices, Polygons.from_array(faces), extras, source, reader.groups())
+    colours = source.colours if "colours" in extras else None
+    polygons = Polygons.from_array(faces)
+    return FileContent(vertices, polygons, extras, source, reader.groups(), colours)
 
 
 class _Reader:
@@ -200,6 +220,7 @@ def _extras(gltf: Gltf, meshes: list[int], instances: int) -> dict[str, int]:
     }
     rare = {
         "skins": len(gltf.entries("skins")),
+        "colours": _elements(gltf, shown, "COLOR_"),
         "animations": len(gltf.entries("animations")),
         "morph targets": sum(map(target_count, entries)),
         "instances left out": instances,

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from solver.errors import MeshError
+from solver.mesh.formats.colours import rgba_of_text
 from solver.mesh.formats.format import FileContent, Groups
-from solver.mesh.formats.obj.rows import Rows, read_rows
+from solver.mesh.formats.obj.rows import Rows, coloured_lines, read_rows
 from solver.mesh.formats.text.file import Flaw, TextFile, check_text
 from solver.mesh.formats.text.lines import Lines
+from solver.mesh.formats.text.points import read_any
 from solver.mesh.polygons import Polygons
 from solver.mesh.progress import Progress, silent
 from solver.types import FloatArray, IntArray
@@ -33,6 +36,16 @@ class ObjSource:
     normals: FloatArray
     corner_normals: IntArray
 
+    def colours(self) -> FloatArray:
+        """(n, 4) of the vertices; white where a line has none."""
+        parts = []
+        for lines in _lines(TextFile("", self.data, continued=True)):
+            vertices = lines.starting_with(b"v")
+            coloured = coloured_lines(vertices)
+            parts.append(np.full((len(vertices), 3), np.nan))
+            parts[-1][coloured] = read_any(vertices[coloured], 4)
+        return rgba_of_text(np.concatenate(parts))
+
 
 def read_obj(data: bytes, name: str, progress: Progress = silent) -> FileContent:
     """Vertices and polygons, with an ObjSource. Raises MeshError naming the line.
@@ -42,8 +55,7 @@ def read_obj(data: bytes, name: str, progress: Progress = silent) -> FileContent
     """
     check_text(name, data, "an OBJ mesh")
     text = TextFile(name, data, continued=True)
-    blocks = text.blocks(comments=True, progress=progress)
-    rows = Rows.concatenate([read_rows(Lines.of(block)) for block in blocks])
+    rows = Rows.concatenate([read_rows(lines) for lines in _lines(text, progress)])
     vertex_at, normal_at, face_at = (rows.at[keyword] for keyword in (b"v", b"vn", b"f"))
     if not vertex_at.size:
         raise MeshError(f"{name}: no vertices, expected an OBJ mesh with lines 'v x y z'")
@@ -58,9 +70,16 @@ def read_obj(data: bytes, name: str, progress: Progress = silent) -> FileContent
     corner_normals = _resolve(rows.normal_numbers, rows.sizes, face_at, normal_at)
     source = ObjSource(data, vertex_at, normal_at, rows.normals, corner_normals)
     extras = {words: len(rows.at[keyword]) for words, keyword in _EXTRAS.items()}
+    extras |= {words: count for words, count in rows.rare.items() if count}
+    colours = source.colours if rows.rare["colours"] else None
     named = rows.at[b"o"] if rows.at[b"o"].size else rows.at[b"g"]
     groups = _groups(text.data, named, face_at) if named.size else None
-    return FileContent(rows.points, Polygons(rows.sizes, corners), extras, source, groups)
+    polygons = Polygons(rows.sizes, corners)
+    return FileContent(rows.points, polygons, extras, source, groups, colours)
+
+
+def _lines(text: TextFile, progress: Progress = silent) -> Iterator[Lines]:
+    return map(Lines.of, text.blocks(comments=True, progress=progress))
 
 
 def _groups(data: bytes, at: IntArray, face_at: IntArray) -> Groups:

@@ -27,14 +27,16 @@ _SPAN = 1 << 20
 
 
 def write_obj(surface: DeformedSurface) -> bytes:
-    """The file that was read with new `v` and `vn` lines, or `v` and `f` lines alone.
+    """The file that was read with new `v` and `vn` lines, or `v` with colours and `f` lines.
 
     Numbers have the shortest text that reads back the same float64.
     """
     if isinstance(surface.source, ObjSource):
         return b"".join(_rewritten(surface.source, surface))
     one_based = Polygons(surface.polygons.sizes, surface.polygons.corners + 1)
-    return point_lines(b"v ", surface.positions) + polygon_lines(lambda size: b"f", one_based)
+    colours = None if surface.colours is None else np.round(surface.colours()[:, :3], 6)
+    points = point_lines(b"v ", surface.positions, colours)
+    return points + polygon_lines(lambda size: b"f", one_based)
 
 
 def _rewritten(source: ObjSource, surface: DeformedSurface) -> Iterator[bytes]:

@@ -7,12 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from solver.errors import MeshError
+from solver.mesh.formats.colours import rgba_of_text
 from solver.mesh.formats.format import FileContent
 from solver.mesh.formats.off.lines import OffLines
 from solver.mesh.formats.text.blocks import whole_numbers
 from solver.mesh.formats.text.file import Flaw, check_text
 from solver.mesh.formats.text.lines import Lines, first_failing
-from solver.mesh.formats.text.points import finite_points
+from solver.mesh.formats.text.points import finite_points, read_any
 from solver.mesh.polygons import Polygons
 from solver.mesh.progress import Progress, silent
 from solver.types import FloatArray, IntArray
@@ -23,6 +24,17 @@ class OffSource:
     """An OFF file, for writing it back."""
 
     data: bytes
+
+    def colours(self) -> FloatArray:
+        """(n, 4) of the vertices, which have some."""
+        lines = OffLines("", self.data)
+        skip, behind = 3 + 3 * lines.has_normals, 2 * lines.has_texture
+        parts = [np.empty((0, 4))]
+        for some in lines.vertices():
+            width = 4 if (some.count >= skip + 4 + behind).all() else 3
+            parts.append(np.full((len(some), 4), np.nan))
+            parts[-1][:, :width] = read_any(some, skip, width)
+        return rgba_of_text(np.concatenate(parts))
 
 
 def read_off(data: bytes, name: str, progress: Progress = silent) -> FileContent:
@@ -44,7 +56,9 @@ def read_off(data: bytes, name: str, progress: Progress = silent) -> FileContent
         "face colours": content.coloured,
     }
     present = {words: count for words, count in extras.items() if count}
-    return FileContent(content.points, content.polygons, present, OffSource(data))
+    source = OffSource(data)
+    colours = source.colours if lines.has_colours else None
+    return FileContent(content.points, content.polygons, present, source, colours=colours)
 
 
 class _Content:

@@ -6,31 +6,35 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from solver.mesh.formats.colours import whole
+from solver.mesh.formats.columns import changed_columns
 from solver.mesh.formats.format import DeformedSurface
 from solver.mesh.formats.off.lines import OffLines
 from solver.mesh.formats.off.read import OffSource
 from solver.mesh.formats.text.listing import point_lines, polygon_lines
-from solver.mesh.formats.text.points import read_normals
+from solver.mesh.formats.text.points import read_any
 from solver.mesh.formats.text.splice import Replacement, spliced
-from solver.mesh.formats.vertex_columns import changed_columns
 
 
 def write_off(surface: DeformedSurface) -> bytes:
-    """The file that was read with new positions and normals, or positions and faces alone.
+    """The file that was read with new positions and normals, or positions, colours and faces.
 
     Numbers have the shortest text that reads back the same float64.
     """
     if isinstance(surface.source, OffSource):
         return b"".join(_rewritten(surface.source.data, surface))
     X, polygons = surface.positions, surface.polygons
-    head = b"OFF\n%d %d 0\n" % (len(X), len(polygons.sizes))
-    return head + point_lines(b"", X) + polygon_lines(lambda size: b"%d" % size, polygons)
+    colours = None if surface.colours is None else whole(surface.colours())
+    keyword = b"OFF" if colours is None else b"COFF"
+    head = keyword + b"\n%d %d 0\n" % (len(X), len(polygons.sizes))
+    points = point_lines(b"", X, colours)
+    return head + points + polygon_lines(lambda size: b"%d" % size, polygons)
 
 
 def _rewritten(data: bytes, surface: DeformedSurface) -> Iterator[bytes]:
     normals = None
     if OffLines("", data).has_normals:
-        normals = np.concatenate([read_normals(some, 3) for some in OffLines("", data).vertices()])
+        normals = np.concatenate([read_any(some, 3) for some in OffLines("", data).vertices()])
     values, changed = changed_columns(surface, normals)
 
     def replacements() -> Iterator[Replacement]:

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.errors import MeshError
-from solver.mesh.formats.narrowing import narrowed
+from solver.mesh.formats.narrowing import narrowed, widened
 from solver.mesh.formats.ply.body import Body, Lists
 from solver.mesh.formats.ply.header import Element, Header
+from solver.mesh.formats.text.splice import substituted
 from solver.mesh.progress import Progress
 from solver.types import BoolArray, FloatArray, IntArray
 
@@ -36,7 +37,8 @@ class BinaryBody(Body):
         result = np.empty((element.count, len(names)))
         for column, k in enumerate(map(element.position, names)):
             kind = element.properties[k].type
-            result[:, column] = self._gather(layout.starts[:, k], layout.lengths[:, k], kind)
+            found = self._gather(layout.starts[:, k], layout.lengths[:, k], kind)
+            result[:, column] = widened(found)
         return result
 
     def lists(self, element: Element, name: str) -> Lists:
@@ -48,6 +50,27 @@ class BinaryBody(Body):
 
     def skip(self, element: Element) -> None:
         self._take(element)
+
+    def widened(self, element: Element, names: Sequence[str]) -> bytes:
+        begin, layout = self._at, self._take(element)
+        rows = self._data[begin : self._at]
+        chosen = sorted(map(element.position, names))
+        if not (chosen and element.count):
+            return rows
+        kinds = [element.properties[k].type for k in chosen]
+        values = [
+            self._gather(layout.starts[:, k], layout.lengths[:, k], kind)
+            for k, kind in zip(chosen, kinds, strict=True)
+        ]
+        wide = np.dtype("f8").newbyteorder(self._endian)
+        text = np.stack(values, axis=1).astype(wide).view(np.uint8).ravel()
+        starts = layout.starts[:, chosen] - begin
+        stops = (starts + np.array([int(kind[1]) for kind in kinds])).ravel()
+        lengths = np.full_like(stops, wide.itemsize)
+        return substituted(rows, starts.ravel(), stops, text, lengths)
+
+    def rest(self) -> bytes:
+        return self._data[self._at :]
 
     def replaced(
         self, element: Element, names: Sequence[str], values: FloatArray, changed: BoolArray

@@ -30,6 +30,14 @@ class Body(ABC):
         """Pass over the element."""
 
     @abstractmethod
+    def widened(self, element: Element, names: Sequence[str]) -> bytes:
+        """The rows of the element, with float64 for the named numbers."""
+
+    @abstractmethod
+    def rest(self) -> bytes:
+        """What follows the last element that was taken."""
+
+    @abstractmethod
     def replaced(
         self, element: Element, names: Sequence[str], values: FloatArray, changed: BoolArray
     ) -> bytes:

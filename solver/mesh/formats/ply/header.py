@@ -17,6 +17,9 @@ _BYTE_ORDERS = {"ascii": None, "binary_little_endian": "<", "binary_big_endian":
 _END = re.compile(rb"^[ \t]*end_header[ \t]*(\r\n|\n|\r)", re.MULTILINE)
 POSITION = "x", "y", "z"
 NORMAL = "nx", "ny", "nz"
+COLOUR = "red", "green", "blue", "alpha"
+# What a deformation changes, by the element that has it.
+SHAPE = {"vertex": (POSITION, NORMAL), "face": (NORMAL,)}
 _FACE_LISTS = ("vertex_indices", "vertex_index")
 
 
@@ -41,10 +44,10 @@ class Element:
         """Which property has this name."""
         return [entry.name for entry in self.properties].index(name)
 
-    def has_floats(self, names: Sequence[str]) -> bool:
-        """Whether every name is that of a number, and of one that may be no whole number."""
-        floats = {e.name for e in self.properties if e.type[0] == "f" and e.length_type is None}
-        return floats.issuperset(names)
+    def has_numbers(self, names: Sequence[str]) -> bool:
+        """Whether every name is that of a number."""
+        numbers = {entry.name for entry in self.properties if entry.length_type is None}
+        return numbers.issuperset(names)
 
 
 @dataclass(frozen=True)
@@ -61,10 +64,14 @@ class Header:
         return next(element for element in self.elements if element.name == "vertex")
 
     @property
+    def face(self) -> Element:
+        """The element that holds the polygons."""
+        return next(element for element in self.elements if element.name == "face")
+
+    @property
     def face_list(self) -> str:
         """The name of the list that holds the vertices of a face."""
-        face = next(element for element in self.elements if element.name == "face")
-        return next(entry.name for entry in face.properties if entry.name in _FACE_LISTS)
+        return next(entry.name for entry in self.face.properties if entry.name in _FACE_LISTS)
 
 
 def read_header(data: bytes, name: str) -> Header:

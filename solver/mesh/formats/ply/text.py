@@ -31,7 +31,7 @@ class TextBody(Body):
     """Reads some thousands of lines at a time."""
 
     def __init__(self, data: bytes, name: str, header: Header, progress: Progress) -> None:
-        self._data, self._name = data, name
+        self._data, self._name, self._start = data, name, header.end
         self._file = TextFile(name, data)
         self._queue = LineQueue(self._file.blocks(header.end, progress=progress))
 
@@ -54,6 +54,13 @@ class TextBody(Body):
     def skip(self, element: Element) -> None:
         for _ in self._lines(element):
             pass
+
+    def widened(self, element: Element, names: Sequence[str]) -> bytes:
+        """A number in a text has no type of its own: no row changes, and `rest` has them all."""
+        return b""
+
+    def rest(self) -> bytes:
+        return self._data[self._start :]
 
     def replaced(
         self, element: Element, names: Sequence[str], values: FloatArray, changed: BoolArray

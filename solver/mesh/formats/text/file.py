@@ -12,8 +12,10 @@ from solver.mesh.progress import Progress, silent
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _LONE_RETURN = re.compile(rb"\r(?!\n)")
-# A backslash joins a line and the next, unless a comment holds it.
-_CONTINUED = re.compile(rb"^([^#\n]*)(\\[ \t]*\r?\n)", re.MULTILINE)
+# A backslash joins a line and the next, unless a comment holds it or the line gives names: some end
+# in one, as folders do, and the face below would be lost. At the end of a file it joins nothing.
+_NAMING = rb"[ \t]*(?:[og]|usemtl|mtllib|usemap|maplib|shadow_obj|trace_obj|call|csh)[ \t]"
+_CONTINUED = re.compile(rb"^(?!%b)([^#\n]*)(\\[ \t]*(?:\r?\n|\Z))" % _NAMING, re.MULTILINE)
 
 
 class Flaw(NamedTuple):

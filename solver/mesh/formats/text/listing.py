@@ -6,8 +6,11 @@ Not all: it holds the global lock, without which a window does not draw.
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import chain
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from solver.mesh.polygons import Polygons
 from solver.types import FloatArray
@@ -15,11 +18,22 @@ from solver.types import FloatArray
 PIECE = 4096  # lines in a call
 
 
-def point_lines(head: bytes, points: FloatArray) -> bytes:
-    """A line for each of (n, 3) points: `head`, then the shortest texts that read back the same."""
-    line = head + b"%a %a %a\n"
-    pieces = (points[start : start + PIECE] for start in range(0, len(points), PIECE))
-    return b"".join(line * len(piece) % tuple(piece.ravel().tolist()) for piece in pieces)
+def point_lines(head: bytes, points: FloatArray, colours: NDArray[Any] | None = None) -> bytes:
+    """A line for each of (n, 3) points: `head`, then the shortest texts that read back the same.
+
+    colours: (n, k), what stands behind each.
+    """
+    columns = points.shape[1] + (0 if colours is None else colours.shape[1])
+    line = head + b" ".join([b"%a"] * columns) + b"\n"
+
+    def piece(start: int) -> bytes:
+        rows = points[start : start + PIECE].tolist()
+        if colours is not None:
+            extra = colours[start : start + PIECE].tolist()
+            rows = [row + more for row, more in zip(rows, extra, strict=True)]
+        return line * len(rows) % tuple(chain.from_iterable(rows))
+
+    return b"".join(piece(start) for start in range(0, len(points), PIECE))
 
 
 def polygon_lines(head: Callable[[int], bytes], polygons: Polygons) -> bytes:

@@ -1,4 +1,4 @@
-"""Points and normals in the lines of a text file: three numbers each."""
+"""Points, normals and colours in the lines of a text file: so many numbers each."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from solver.mesh.formats.text.lines import Lines, first_failing
 from solver.types import FloatArray
 
 
-def read_points(lines: Lines, skip: int) -> FloatArray:
-    """(l, 3) words skip .. skip+2 of each line. Raises ValueError where they are no numbers."""
-    if (lines.count < skip + 3).any():
+def read_points(lines: Lines, skip: int, width: int = 3) -> FloatArray:
+    """(l, width) the words of each line from `skip` on. Raises ValueError if one is no number."""
+    if (lines.count < skip + width).any():
         raise ValueError("a line is too short")
     first = lines.first + skip
-    return numbers(lines.block.joined(first, first + 2)).reshape(-1, 3)
+    return numbers(lines.block.joined(first, first + (width - 1))).reshape(-1, width)
 
 
 def finite_points(lines: Lines, skip: int) -> tuple[FloatArray, list[Flaw]]:
@@ -30,18 +30,19 @@ def finite_points(lines: Lines, skip: int) -> tuple[FloatArray, list[Flaw]]:
     return points, [Flaw(1, at, "expected finite coordinates") for at in places]
 
 
-def read_normals(lines: Lines, skip: int) -> FloatArray:
-    """(l, 3) as `read_points` reads them, NaN for lines without three finite numbers."""
+def read_any(lines: Lines, skip: int, width: int = 3) -> FloatArray:
+    """As `read_points` reads them, NaN for lines without so many finite numbers."""
     try:
-        normals = read_points(lines, skip)
+        found = read_points(lines, skip, width)
     except ValueError:
-        normals = np.concatenate([_normal(lines[i : i + 1], skip) for i in range(len(lines))])
-    normals[~np.isfinite(normals).all(axis=1)] = np.nan
-    return normals
+        rows = [_row(lines[i : i + 1], skip, width) for i in range(len(lines))]
+        found = np.concatenate([np.empty((0, width)), *rows])
+    found[~np.isfinite(found).all(axis=1)] = np.nan
+    return found
 
 
-def _normal(line: Lines, skip: int) -> FloatArray:
+def _row(line: Lines, skip: int, width: int) -> FloatArray:
     try:
-        return read_points(line, skip)
+        return read_points(line, skip, width)
     except ValueError:
-        return np.full((1, 3), np.nan)
+        return np.full((1, width), np.nan)

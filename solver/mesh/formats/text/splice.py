@@ -39,7 +39,13 @@ def spliced(data: bytes, replacements: Iterable[Replacement]) -> Iterator[bytes]
 
 
 def _replaced(data: bytes, starts: IntArray, stops: IntArray, numbers: FloatArray) -> bytes:
-    text, lengths = _texts(numbers)
+    return substituted(data, starts, stops, *_texts(numbers))
+
+
+def substituted(
+    data: bytes, starts: IntArray, stops: IntArray, text: Bytes, lengths: IntArray
+) -> bytes:
+    """The data with other bytes at starts[i] to stops[i], in order: the next lengths[i] of text."""
     growth = lengths - (stops - starts)
     after = starts + np.cumsum(growth) - growth
     new = _inside(after, after + lengths, len(data) + int(growth.sum()))
@@ -61,8 +67,8 @@ def _texts(numbers: FloatArray) -> tuple[Bytes, IntArray]:
 
 
 def _inside(starts: IntArray, stops: IntArray, size: int) -> BoolArray:
-    """(size,) whether a place lies in one of these ranges, which do not touch."""
+    """(size,) whether a place lies in one of these ranges, which do not overlap."""
     edges = np.zeros(size + 1, dtype=np.int8)
     edges[starts] = 1
-    edges[stops] = -1
+    edges[stops] -= 1  # where the next may start
     return np.cumsum(edges[:-1], dtype=np.int8).view(bool)

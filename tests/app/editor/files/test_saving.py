@@ -144,3 +144,17 @@ def test_a_session_can_be_put_on_another_file_of_the_same_mesh(
 def test_dropped_files_open_by_their_suffix() -> None:
     assert open_command(Path("a.JSON")) == c.OpenSession(Path("a.JSON"))
     assert open_command(Path("a.obj")) == c.OpenMesh(Path("a.obj"))
+
+
+def test_an_export_says_what_its_format_does_not_keep(tmp_path: Path) -> None:
+    path = tmp_path / "quad.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1 4/1\n")
+    person = Person(load_mesh(path), path)
+    for name, words in (
+        ("a.obj", ""),
+        ("a.ply", "; PLY keeps no texture coordinates"),
+        ("a.stl", "; STL keeps no texture coordinates, polygons (1 quad became triangles)"),
+    ):
+        person.do(c.Export(tmp_path / name))
+        assert person.editor.message is not None
+        assert person.editor.message.text == f"Exported {tmp_path / name}{words}"

@@ -71,6 +71,33 @@ def test_every_way_to_write_a_vertex(
     assert load(tmp_path, bom + data).vertices.tolist() == [[1, 2.5, -3], *CORNERS]
 
 
+@pytest.mark.parametrize("ending", [b"\n", b"\r\n", b"\r"])
+@pytest.mark.parametrize(
+    "line", [b"usemtl dir\\", b" mtllib C:\\", b"o a\\ ", b"g a \\", b"# dir\\", b"\tusemtl \\"]
+)
+def test_a_name_that_ends_in_a_backslash_keeps_the_next_line(
+    tmp_path: Path, line: bytes, ending: bytes
+) -> None:
+    lines = line + b"\n" + V4 + line + b"\nf 1 2 3\n" + line + b"\nf 1 3 4\n"
+    data = lines.replace(b"\n", ending)
+    mesh = load(tmp_path, data)
+    assert mesh.vertices.tolist() == CORNERS
+    assert mesh.faces.tolist() == [[0, 1, 2], [0, 2, 3]]
+    mesh.save(tmp_path / "out.obj", mesh.vertices)
+    assert (tmp_path / "out.obj").read_bytes() == data
+
+
+@pytest.mark.parametrize("end", [b"\\", b" \\", b" \\ ", b" \\\n", b"\\\r\n"])
+def test_a_backslash_at_the_end_of_a_file_joins_nothing(tmp_path: Path, end: bytes) -> None:
+    mesh = load(tmp_path, V4 + b"f 1 2 3 4" + end)
+    assert mesh.outlines.tolist() == [[0, 1, 2, 3]]
+    mesh.save(tmp_path / "out.obj", mesh.vertices)
+    assert (tmp_path / "out.obj").read_bytes() == V4 + b"f 1 2 3 4" + end
+    moved = load(tmp_path, b"f 1 2 3\n" + V4[:-1] + end)
+    moved.save(tmp_path / "out.obj", moved.vertices + 1)
+    assert (load_mesh(tmp_path / "out.obj").vertices == moved.vertices + 1).all()
+
+
 def test_negative_numbers_count_from_the_face_back(tmp_path: Path) -> None:
     negative = load(tmp_path, V4 + b"f -4 -3 -2\n" + V4 + b"f -4 -3 -2\nv 9 9 9\nf -1 -3 -6\n")
     positive = load(tmp_path, V4 + b"f 1 2 3\n" + V4 + b"f 5 6 7\nv 9 9 9\nf 9 7 4\n")

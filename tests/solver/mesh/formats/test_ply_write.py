@@ -84,7 +84,10 @@ def test_only_what_moved_changes(tmp_path: Path, kind: str) -> None:
 @pytest.mark.parametrize("data", [TEXT, BINARY])
 def test_normals_turn_with_the_surface(tmp_path: Path, data: bytes) -> None:
     mesh = load(tmp_path, "a.ply", data)
-    assert mesh.extras == {"texture coordinates": 4, "normals": 4, "colours": 4}
+    assert mesh.extras == {
+        **{"texture coordinates": 4, "normals": 4, "colours": 4},
+        **{"further properties": 1, "further elements": 2},
+    }
     X = mesh.vertices[:, [2, 1, 0]] * [1, 1, -1] + 0.0
     rows = [(1.0, z, 1, 2, 3, y, 0.5, 0.25, 0.0, 0.0, x) for x, y, z in X.tolist()]
     out = saved(tmp_path, data, X)
@@ -115,3 +118,81 @@ def test_positions_stored_as_whole_numbers_are_written_as_float64(tmp_path: Path
     X = mesh.vertices + 0.25
     assert b"property double x" in saved(tmp_path, data, X)
     assert load_mesh(tmp_path / "b.ply").vertices.tobytes() == X.tobytes()
+
+
+WHOLE_HEAD = b"""ply
+format %b 1.0
+comment scanned
+element other 2
+property list uchar short some
+element vertex 4
+property uchar red
+property short x
+property short y
+property list uchar int links
+property short z
+property char nx
+property char ny
+property char nz
+element face 1
+property list uchar uint vertex_indices
+property char nx
+property char ny
+property char nz
+end_header
+"""
+
+
+def whole_ply(kind: str) -> bytes:
+    """Positions, and normals of vertices and of a face, in whole numbers; lists all about."""
+    corners = [(0, 0, 0), (7, 0, 0), (7, 7, 0), (0, 7, 0)]
+    rows: list[tuple[str, tuple[int, ...]]] = [("B2h", (2, -1, -2)), ("B3h", (3, -3, -4, -5))]
+    for number, (x, y, z) in enumerate(corners):
+        links = (number, *range(number))
+        rows.append((f"B2hB{number}ih3b", (50 + number, x, y, *links, z, 0, 0, 127)))
+    rows.append(("B4I3b", (4, 0, 1, 2, 3, 0, 0, 100)))
+    if kind == "ascii":
+        return (
+            WHOLE_HEAD % b"ascii"
+            + b"".join(b" ".join(b"%d" % number for number in row) + b"\r\n" for _, row in rows)
+            + b"behind the end"
+        )
+    order = "<" if kind == "binary_little_endian" else ">"
+    body = b"".join(struct.pack(order + form, *row) for form, row in rows)
+    return WHOLE_HEAD % kind.encode() + body + b"behind the end"
+
+
+@pytest.mark.parametrize("kind", ["ascii", "binary_little_endian", "binary_big_endian"])
+def test_whole_numbers_get_room_for_a_bend_and_all_else_stays(tmp_path: Path, kind: str) -> None:
+    data = whole_ply(kind)
+    mesh = load(tmp_path, "a.ply", data)
+    assert saved(tmp_path, data, mesh.vertices) == data
+    X = mesh.vertices[:, [2, 1, 0]] * [1, 1, -1] + [0.25, 0, 0]
+    out = saved(tmp_path, data, X)
+    again = load_mesh(tmp_path / "b.ply")
+    assert again.vertices.tobytes() == X.tobytes()
+    assert b"comment scanned\n" in out
+    assert out.count(b"property double") == 9
+    assert out.endswith(data[-14:])
+    # Back at rest, the numbers are those of the source.
+    again.save(tmp_path / "c.ply", mesh.vertices)
+    values = (tmp_path / "c.ply").read_bytes().split(b"end_header\n")[1]
+    if kind == "ascii":
+        before = data.split(b"end_header\n")[1].split()
+        assert [float(word) for word in values.split()[:-3]] == [float(x) for x in before[:-3]]
+    else:
+        assert len(values) == len(data.split(b"end_header\n")[1]) + 4 * 3 * (6 + 7) + 3 * 7
+
+
+def test_normals_of_faces_turn_with_the_surface(tmp_path: Path) -> None:
+    data = whole_ply("ascii").replace(b"property char", b"property float")
+    mesh = load(tmp_path, "a.ply", data)
+    assert mesh.extras == {
+        "normals": 4,
+        "face normals": 1,
+        "further properties": 2,
+        "further elements": 1,
+    }
+    out = saved(tmp_path, data, mesh.vertices[:, [2, 1, 0]] * [1, 1, -1])
+    assert out.splitlines()[-2] == b"4 0 1 2 3 100.0 0.0 0.0"
+    assert {line.split()[-3:][0] for line in out.splitlines()[-6:-2]} == {b"127.0"}

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from solver.mesh.formats.format import DeformedSurface, Groups
+from solver.mesh.formats.format import DeformedSurface
 from solver.types import IntArray
 
 
@@ -32,7 +32,7 @@ def divide(surface: DeformedSurface) -> list[Share]:
     groups = surface.groups
     if groups is None:
         return [Share("", np.arange(count), F)]
-    group = _of_triangles(groups, surface)
+    group = groups.of_polygon[surface.polygon_of_triangle]
     owned = _members(_owners(group, F, count))
     shares = []
     for number, own in _members(group).items():
@@ -48,13 +48,6 @@ def _members(group: IntArray) -> dict[int, IntArray]:
     order = np.argsort(group, kind="stable")
     numbers, first = np.unique(group[order], return_index=True)
     return dict(zip(numbers.tolist(), np.split(order, first[1:]), strict=True))
-
-
-def _of_triangles(groups: Groups, surface: DeformedSurface) -> IntArray:
-    """(m,) the group of each triangle: that of its polygon."""
-    ends = np.cumsum(surface.polygons.sizes)
-    polygon = np.searchsorted(ends, surface.triangle_corners[:, 0], side="right")
-    return groups.of_polygon[polygon]
 
 
 def _owners(group: IntArray, F: IntArray, count: int) -> IntArray:

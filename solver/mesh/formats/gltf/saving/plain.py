@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from solver.mesh.formats.colours import to_light
 from solver.mesh.formats.format import DeformedSurface
 from solver.mesh.formats.gltf.container import Gltf
 from solver.mesh.formats.gltf.primitives import LIST
@@ -36,19 +37,23 @@ def plain_surface(surface: DeformedSurface) -> DeformedSurface:
     X, starts = surface.positions[order], np.cumsum([0, *(len(s.vertices) for s in shares)])
     faces = [share.faces + start for share, start in zip(shares, starts[:-1], strict=True)]
     polygons = Polygons.from_array(np.concatenate(faces))
+    normals = smooth_normals(surface.positions, surface.triangles)[order]
+    colours = None if surface.colours is None else to_light(surface.colours()[order])
     return replace(
         surface,
         rest=X,
         positions=X,
         polygons=polygons,
         triangle_corners=np.arange(polygons.corners.size).reshape(-1, 3),
-        source=_source(X, smooth_normals(surface.positions, surface.triangles)[order], shares),
+        source=_source(X, normals, colours, shares),
         poses={name: pose[order] for name, pose in surface.poses.items()},
         groups=None,
     )
 
 
-def _source(X: FloatArray, normals: FloatArray, shares: list[Share]) -> GltfSource:
+def _source(
+    X: FloatArray, normals: FloatArray, colours: FloatArray | None, shares: list[Share]
+) -> GltfSource:
     """A file of a node and a mesh for each share, and the parts of the surface they show."""
     lower, upper = X.min(axis=0), X.max(axis=0)
     far = max(np.abs(lower).max(), np.abs(upper).max()) > _FAR * np.linalg.norm(upper - lower)
@@ -63,6 +68,9 @@ def _source(X: FloatArray, normals: FloatArray, shares: list[Share]) -> GltfSour
         count, name = len(share.vertices), {"name": share.name} if share.name else {}
         own = slice(start, start + count)
         mesh = _mesh(edit, X[own] - centre, normals[own], share.faces)
+        if colours is not None:
+            color = edit.append({"type": "VEC4"}, colours[own], target=_VERTICES)
+            mesh["primitives"][0]["attributes"]["COLOR_0"] = color
         nodes.append({"mesh": number} | name | place)
         meshes.append(mesh | name)
         position = mesh["primitives"][0]["attributes"]["POSITION"]

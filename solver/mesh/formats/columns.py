@@ -1,4 +1,4 @@
-"""What a deformation changes of the vertices in a file: positions, and a normal of each."""
+"""What a deformation changes in a file: positions, and normals of vertices and faces."""
 
 from __future__ import annotations
 
@@ -7,6 +7,14 @@ import numpy as np
 from solver.mesh.formats.format import DeformedSurface
 from solver.mesh.normals import turn_normals
 from solver.types import BoolArray, FloatArray
+
+
+def turned_face_normals(
+    surface: DeformedSurface, normals: FloatArray
+) -> tuple[FloatArray, BoolArray]:
+    """Normals (p, 3) of polygons as they are now, and which of them turned (p,)."""
+    users = np.repeat(surface.polygon_of_triangle[:, None], 3, axis=1)
+    return turn_normals(normals, users, surface.rest, surface.positions, surface.triangles)
 
 
 def changed_columns(
