@@ -11,7 +11,7 @@ import numpy as np
 
 from app.scene.looks import PLAIN, Looks
 from app.scene.overlay import NOTHING, Overlay
-from solver.mesh.mesh import Mesh
+from app.scene.shading import Shaded
 from solver.types import FloatArray, IntArray
 
 DOT_RADIUS = 0.16  # in edges of the mesh: dots never hide the colours between them
@@ -39,26 +39,38 @@ class Lines:
 
 
 @dataclass(frozen=True, eq=False)
+class Twin:
+    """Another shape of the surface, (n, 3), that stands beside it.
+
+    away: how far to the left of whoever looks, in world units.
+    """
+
+    positions: FloatArray
+    away: float
+
+
+@dataclass(frozen=True, eq=False)
 class Scene:
     """What the view shows at one moment.
 
     What has not changed since the last scene is the same object, so that the view can tell by
     identity: arrays are never written in place once they are part of a scene.
 
-    mesh: another one is another surface, seen afresh.  polygons: those of it that are drawn.
-    positions: (n, 3) of its vertices.  colors: (n, 3) RGB in [0, 1] of its vertices.
+    shaded: the polygons that are drawn; another one is another surface, seen afresh.
+    positions: (n, 3) of the mesh's vertices.  colors: (n, 3) RGB in [0, 1] of them.
     dots: what is pinned.  looks: how the surface is drawn.
     ghost: (n, 3) of its vertices where it is seen through, None where it is not.
+    twin: what stands beside it.
     lines: the borders of what is held.  overlay: what is drawn over it.
     """
 
-    mesh: Mesh
-    polygons: IntArray | list[list[int]]
+    shaded: Shaded
     positions: FloatArray
     colors: FloatArray
     dots: Dots | None = None
     looks: Looks = PLAIN
     ghost: FloatArray | None = None
+    twin: Twin | None = None
     lines: Lines | None = None
     overlay: Overlay = NOTHING
 

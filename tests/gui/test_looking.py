@@ -43,8 +43,8 @@ def saved(person: Person, path: Path, widget: str) -> Path:
 
 def test_flat_shading_and_the_ghost_of_the_rest_shape(ready: Scene) -> None:
     scene = ready
-    scene.person.open_section("View", "smooth")
-    assert changed(scene, "smooth") > 0.02
+    scene.person.open_section("View", "flat")
+    assert changed(scene, "flat") > 0.02
     assert changed(scene, "smooth") > 0.02
     assert changed(scene, "rest shape") < 0.005, "at rest it is hidden by the surface"
     scene.stroke(*DRAG)

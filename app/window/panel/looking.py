@@ -7,6 +7,7 @@ import polyscope.imgui as psim
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.model.preferences import PreferencesFile
+from app.scene.looks import SHADINGS
 from app.viewpoint.viewpoint import SIDES, UPS
 from app.window.panel.widgets import CHOSEN_COLOR, halves, shares
 from app.window.shortcuts import SetInterface, WindowAction
@@ -14,9 +15,15 @@ from app.window.studio import Studio
 
 SWITCHES = (
     ("edges", "edges", "Draw the edges of the polygons"),
-    ("smooth", "smooth", "Shade over the edges; off: each polygon flat"),
     ("rest", "rest shape", "See the rest shape through the surface"),
+    ("beside", "beside", "See the rest shape beside the surface: before and after"),
 )
+SMOOTH, FLAT, FILE = SHADINGS
+SHADING_TIPS = {
+    SMOOTH: "Shade over all edges",
+    FLAT: "Shade each polygon flat",
+    FILE: "Smooth but for the hard edges that the file has",
+}
 PICTURES = (
     ("Picture", "picture", "Save what is seen as a PNG beside the mesh"),
     ("Turntable", "turntable", "Save one turn around it as a GIF beside the mesh"),
@@ -41,6 +48,7 @@ class LookingRows:
             psim.SetItemTooltip(tip)
             if changed:
                 asked.append(c.SetLooks(**{name: on}))
+        _shading(editor, asked)
         for (label, name, tip), (_, size) in zip(
             PICTURES, shares(*(row[0] for row in PICTURES)), strict=True
         ):
@@ -63,6 +71,18 @@ class LookingRows:
         changed, index = psim.Combo("interface size", scales.index(scale), labels)
         if changed:
             asked.append(SetInterface(scales[index]))
+
+
+def _shading(editor: Editor, asked: list[c.Command]) -> None:
+    """One of the ways that there are for this mesh."""
+    hard = editor.document.mesh.smooth_corners is not None
+    chosen = editor.looks.shading if hard or editor.looks.shading != FILE else SMOOTH
+    for name in SHADINGS if hard else (SMOOTH, FLAT):
+        if name != SMOOTH:
+            psim.SameLine()
+        if psim.RadioButton("as in the file" if name == FILE else name, chosen == name):
+            asked.append(c.SetLooks(shading=name))
+        psim.SetItemTooltip(SHADING_TIPS[name])
 
 
 def _camera(editor: Editor, asked: list[c.Command]) -> None:

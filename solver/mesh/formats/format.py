@@ -22,6 +22,19 @@ class Groups:
 
 
 @dataclass(frozen=True, eq=False)
+class Smoothing:
+    """What a file says of where its surface is smooth and where it has hard edges.
+
+    alike: (sum,) of each polygon corner. Corners in one place that have the same number are smooth
+    together; -1 where the file says nothing. A number below k names one of normals (k, 3), and
+    nearly equal normals count as the same.
+    """
+
+    alike: IntArray
+    normals: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
 class FileContent:
     """What a mesh file holds.
 
@@ -29,6 +42,7 @@ class FileContent:
     extras: what else is in it that saving keeps, in plain words, and how many of each.
     source: what its format needs to write that back, None where it keeps nothing.
     groups: the polygons by the objects or nodes that they belong to, None where it names none.
+    smoothing: None where it says nothing of that.
     """
 
     vertices: FloatArray
@@ -36,6 +50,7 @@ class FileContent:
     extras: Mapping[str, int] = field(default_factory=dict)
     source: object = None
     groups: Groups | None = None
+    smoothing: Smoothing | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,7 +13,7 @@ from solver.mesh.formats.text.lines import Lines, first_failing
 from solver.mesh.formats.text.points import finite_points, read_normals
 from solver.types import FloatArray, IntArray
 
-_KEYWORDS = b"v", b"vt", b"vn", b"f", b"g", b"o"
+_KEYWORDS = b"v", b"vt", b"vn", b"f", b"g", b"o", b"s"
 
 
 @dataclass(frozen=True, eq=False)
