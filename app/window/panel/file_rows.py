@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
 from app.editor.file_actions import default_export_path, default_session_path, open_command
 from app.window.file_dialogs import FileDialogs
-from app.window.panel.widgets import REST_OF_LINE, disabled, shares, shortened
+from app.window.panel.widgets import (
+    REST_OF_LINE,
+    disabled,
+    shares,
+    short_path,
+    shortened,
+    typed_path,
+)
 from app.window.scaling import scaled
 from app.window.shortcuts import WindowAction
 
@@ -72,17 +77,17 @@ class FileRows:
             psim.SetKeyboardFocusHere()
         self._open, go = _row("Open", "drop a file or type", self._open)
         if go and self._open.strip():
-            asked.append(open_command(_path(self._open)))
-        proposed = self._session or _short(default_session_path(editor))
+            asked.append(open_command(typed_path(self._open)))
+        proposed = self._session or short_path(default_session_path(editor))
         self._session, go = _row("Save session", "session (.json)", proposed)
         if go or self._used == "save":
-            asked.append(c.SaveSession(_path(self._session)))
-        proposed = self._export or _short(default_export_path(editor))
+            asked.append(c.SaveSession(typed_path(self._session)))
+        proposed = self._export or short_path(default_export_path(editor))
         self._export, go = _row("Export mesh", "deformed mesh", proposed)
         if go or self._used == "export":
-            asked.append(c.Export(_path(self._export)))
+            asked.append(c.Export(typed_path(self._export)))
         if self._used == "export poses":
-            asked.append(c.ExportPoses(_path(self._export), editor.blend.between))
+            asked.append(c.ExportPoses(typed_path(self._export), editor.blend.between))
 
 
 def _recent(editor: Editor, asked: list[c.Command]) -> None:
@@ -107,15 +112,3 @@ def _row(label: str, hint: str, text: str) -> tuple[str, bool]:
     psim.SameLine()
     pressed = psim.Button(label, REST_OF_LINE)
     return text, bool(pressed or entered)
-
-
-def _path(text: str) -> Path:
-    return Path(text.strip()).expanduser()
-
-
-def _short(path: Path) -> str:
-    """Relative to the working directory where it lies below."""
-    try:
-        return str(path.resolve().relative_to(Path.cwd()))
-    except ValueError:
-        return str(path)
