@@ -79,9 +79,14 @@ class Stage:
     def _before(self) -> Twin:
         """The rest shape beside the surface: too far for one that is bent over to reach it."""
         document = self._work.document
-        return self._twin(
-            document.revision["rest"], lambda: Twin(document.rest_positions, document.diagonal)
-        )
+
+        def made() -> Twin:
+            V = document.rest_positions
+            used = V[document.mesh.pieces >= 0]
+            middle = 0.5 * (used.min(axis=0) + used.max(axis=0))
+            return Twin(V, middle, document.diagonal)
+
+        return self._twin(document.revision["rest"], made)
 
     def _border_lines(self) -> Lines | None:
         """The borders of what is held; those before while a stroke is changing them."""

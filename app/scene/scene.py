@@ -12,8 +12,11 @@ import numpy as np
 from app.scene.looks import PLAIN, Looks
 from app.scene.overlay import NOTHING, Overlay
 from app.scene.shading import Shaded
+from app.viewpoint.camera import Camera
+from solver.geometry.motions import rotation_about
 from solver.types import FloatArray, IntArray
 
+FARTHEST = 0.5 * np.pi  # radians between the surface and its twin: far out of sight
 DOT_RADIUS = 0.16  # in edges of the mesh: dots never hide the colours between them
 
 
@@ -40,13 +43,21 @@ class Lines:
 
 @dataclass(frozen=True, eq=False)
 class Twin:
-    """Another shape of the surface, (n, 3), that stands beside it.
+    """Another shape of the surface, that stands to the left of it for whoever looks.
 
-    away: how far to the left of whoever looks, in world units.
+    positions: (n, 3) as if it stood where the surface does.  middle: (3,) of them.
+    away: how far from there it is to stand, in world units.
     """
 
     positions: FloatArray
+    middle: FloatArray
     away: float
+
+    def place(self, camera: Camera) -> FloatArray:
+        """(4, 4) how it is moved: turned about the camera, which so sees both from one side."""
+        distance = float(np.linalg.norm(camera.position - self.middle))
+        angle = self.away / max(distance, self.away / FARTHEST)
+        return rotation_about(camera.up, float(np.degrees(angle)), camera.position)
 
 
 @dataclass(frozen=True, eq=False)

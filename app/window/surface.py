@@ -34,7 +34,7 @@ class Surface:
         self._name = name
         self._mesh: Any = None  # Polyscope has no type hints
         self._shown: Shape | None = None
-        self._place: FloatArray = np.zeros(3)
+        self._place: FloatArray = np.eye(4)
 
     def show(self, shape: Shape) -> None:
         """In place of the one before."""
@@ -54,9 +54,9 @@ class Surface:
         self._shown = shape
 
     def put(self, place: FloatArray) -> None:
-        """Draw it so far, (3,), from where it is."""
+        """Draw it moved, (4, 4)."""
         if self._mesh is not None and not np.array_equal(place, self._place):
-            self._mesh.set_position(place)
+            self._mesh.set_transform(place)
             self._place = place
 
     def remove(self) -> None:
@@ -77,4 +77,4 @@ class Surface:
         self._mesh.set_back_face_policy("identical")
         self._mesh.set_edge_color(EDGE_COLOR)
         self._mesh.add_color_quantity(COLORS, shaded.of(shape.colors), enabled=True)
-        self._place = np.zeros(3)
+        self._place = np.eye(4)

@@ -9,9 +9,8 @@ import polyscope as ps
 from numpy.typing import NDArray
 
 from app.scene.scene import Dots, Lines, Scene
-from app.viewpoint.camera import Camera
+from app.viewpoint.camera import FIELD_OF_VIEW, Camera
 from app.window.surface import COLORS, Shape, Surface
-from solver.types import FloatArray
 
 DOTS, LINES, GHOST = "dots", "lines", "ghost"
 DOT_COLOR = (0.96, 0.96, 0.98)
@@ -25,7 +24,7 @@ class View:
     def __init__(self) -> None:
         self._surface, self._twin = Surface("surface"), Surface("twin")
         self._shown: Scene | None = None
-        self._right: FloatArray = np.array([1.0, 0.0, 0.0])
+        self._camera = Camera.look_at([0, 0, 1], [0, 0, 0], FIELD_OF_VIEW, (1, 1))
 
     def show(self, scene: Scene) -> None:
         """Upload what differs from the scene shown before, and nothing else."""
@@ -33,7 +32,7 @@ class View:
         self._surface.show(Shape(scene.shaded, scene.positions, scene.colors, scene.looks))
         if scene.twin is not None:
             self._twin.show(Shape(scene.shaded, scene.twin.positions, scene.colors, scene.looks))
-            self._twin.put(-scene.twin.away * self._right)
+            self._twin.put(scene.twin.place(self._camera))
         else:
             self._twin.remove()
         if before is None or scene.dots is not before.dots:
@@ -56,7 +55,7 @@ class View:
         """
         if reach is not None:
             ps.set_view_center_raw(camera.position + reach * camera.forward)
-        self._right = camera.right
+        self._camera = camera
         axes = np.stack([camera.right, camera.up, -camera.forward])
         matrix = np.eye(4)
         matrix[:3, :3], matrix[:3, 3] = axes, -axes @ camera.position

@@ -81,8 +81,9 @@ def test_pictures_and_films_are_saved_beside_the_mesh_and_replace_nothing(
     saved(person, tmp_path / "mannequin-picture-2.png", "Picture")
 
     person.choose("Record")
-    person.widget("film")
+    person.key("5")
     scene.stroke(*DRAG)
+    person.key("1")
     first, *_, last = frames(saved(person, tmp_path / "mannequin-film.mp4", "Record"))
     assert first.shape == (height // 2 * 2, (width - scene.panel) // 2 * 2, 3)
     assert (np.abs(last - first).max(axis=2) > 40).mean() > 0.005, "the arm has moved"

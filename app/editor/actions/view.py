@@ -54,12 +54,13 @@ def set_looks(work: Workspace, command: c.SetLooks) -> None:
 
 
 def _frame_all(work: Workspace) -> None:
-    """From where the camera is, and the rest shape too where it stands beside."""
-    positions = work.positions[_all(work)]
-    shown = positions
+    """From where the camera is; with room for the rest shape at both places, where it is beside."""
+    seen = _all(work)
+    positions = shown = work.positions[seen]
     if work.looks.beside:
+        rest = work.document.rest_positions[seen]
         to_the_left = -work.document.diagonal * work.viewpoint.camera.right
-        shown = np.vstack([positions, work.document.rest_positions[_all(work)] + to_the_left])
+        shown = np.vstack([positions, rest, rest + to_the_left])
     work.viewpoint.frame(shown, about=positions)
 
 

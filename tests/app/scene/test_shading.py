@@ -5,13 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-import pytest
 
 from app.editor import commands as c
 from app.scene.shading import Shaded, shaded
 from solver.mesh.mesh import Mesh, load_mesh
 from solver.types import FloatArray
-from tests.app.person import Person, slab, state
+from tests.app.person import Person, slab
 from tests.solver import shapes
 
 CUBE = """
@@ -112,31 +111,3 @@ def test_the_file_decides_until_the_person_does(tmp_path: Path) -> None:
     assert message is not None
     assert message.text == "unknown shading 'wet', expected one of smooth, flat, file"
     assert person.editor.looks.shading == "flat"
-
-
-@pytest.mark.parametrize("side", ["front", "left", "top"])
-def test_the_rest_shape_stands_beside_the_surface_and_both_are_seen(
-    ready: Person, side: str
-) -> None:
-    editor = ready.editor
-    before = state(editor.document)
-    ready.do(c.SetLooks(beside=True), c.ViewFrom(side))
-    twin, camera = editor.scene().twin, editor.viewpoint.camera
-    assert twin is not None
-    assert editor.scene().twin is twin
-    assert editor.scene(rest=True).twin is None
-    np.testing.assert_array_equal(twin.positions, editor.document.rest_positions)
-    left = camera.project(twin.positions - twin.away * camera.right)
-    right = camera.project(editor.positions)
-    assert left[:, 0].max() < right[:, 0].min()
-    both = np.vstack([left, right])
-    assert both[:, 0].min() > editor.viewpoint.inset
-    assert (both > 0).all()
-    assert (both < camera.size).all()
-    middle = 0.5 * (editor.positions.min(axis=0) + editor.positions.max(axis=0))
-    np.testing.assert_allclose(editor.viewpoint.pivot, middle)
-    ready.do(c.SetLooks(beside=False))
-    assert editor.scene().twin is None
-    alone = editor.viewpoint.camera.project(editor.positions)
-    assert np.ptp(alone, axis=0).max() > 1.5 * np.ptp(right, axis=0).max()
-    assert state(editor.document) == before
