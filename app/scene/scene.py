@@ -13,10 +13,9 @@ from app.scene.looks import PLAIN, Looks
 from app.scene.overlay import NOTHING, Overlay
 from app.scene.shading import Shaded
 from app.viewpoint.camera import Camera
-from solver.geometry.motions import rotation_about
 from solver.types import FloatArray, IntArray
 
-FARTHEST = 0.5 * np.pi  # radians between the surface and its twin: far out of sight
+NEAREST = 0.05  # of the way to a twin: from closer it is far out of sight
 DOT_RADIUS = 0.16  # in edges of the mesh: dots never hide the colours between them
 
 
@@ -54,10 +53,16 @@ class Twin:
     away: float
 
     def place(self, camera: Camera) -> FloatArray:
-        """(4, 4) how it is moved: turned about the camera, which so sees both from one side."""
-        distance = float(np.linalg.norm(camera.position - self.middle))
-        angle = self.away / max(distance, self.away / FARTHEST)
-        return rotation_about(camera.up, float(np.degrees(angle)), camera.position)
+        """(4, 4) how it is moved: so that its picture is the same, only shifted.
+
+        Merely moved aside, it would be seen from another side; turned about the camera, it would
+        have another size.
+        """
+        share = self.away / max(float(camera.depth(self.middle)), NEAREST * self.away)
+        T = np.eye(4)
+        T[:3, :3] -= share * np.outer(camera.right, camera.forward)
+        T[:3, 3] = share * (camera.position @ camera.forward) * camera.right
+        return T
 
 
 @dataclass(frozen=True, eq=False)
