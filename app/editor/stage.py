@@ -6,8 +6,9 @@ from app.latest import Latest
 from app.scene.ghost import ghost
 from app.scene.overlay import NOTHING, Overlay
 from app.scene.regions import Borders, border_lines
-from app.scene.scene import Dots, Lines, Scene, Twin, dot_radius
+from app.scene.scene import Dots, Lines, Scene, dot_radius
 from app.scene.shading import Shaded, shaded
+from app.scene.twin import ASIDE, Twin
 from app.workspace.color_maps import MAPS
 from app.workspace.workspace import Workspace
 from solver.types import FloatArray
@@ -77,14 +78,14 @@ class Stage:
         )
 
     def _before(self) -> Twin:
-        """The rest shape beside the surface: too far for one that is bent over to reach it."""
+        """The rest shape beside the surface."""
         document = self._work.document
 
         def made() -> Twin:
             V = document.rest_positions
             used = V[document.mesh.pieces >= 0]
             middle = 0.5 * (used.min(axis=0) + used.max(axis=0))
-            return Twin(V, middle, document.diagonal)
+            return Twin(V, middle, ASIDE * document.diagonal)
 
         return self._twin(document.revision["rest"], made)
 

@@ -12,10 +12,9 @@ import numpy as np
 from app.scene.looks import PLAIN, Looks
 from app.scene.overlay import NOTHING, Overlay
 from app.scene.shading import Shaded
-from app.viewpoint.camera import Camera
+from app.scene.twin import Twin
 from solver.types import FloatArray, IntArray
 
-NEAREST = 0.05  # of the way to a twin: from closer it is far out of sight
 DOT_RADIUS = 0.16  # in edges of the mesh: dots never hide the colours between them
 
 
@@ -38,31 +37,6 @@ class Lines:
     edges: IntArray
     colors: FloatArray
     radius: float
-
-
-@dataclass(frozen=True, eq=False)
-class Twin:
-    """Another shape of the surface, that stands to the left of it for whoever looks.
-
-    positions: (n, 3) as if it stood where the surface does.  middle: (3,) of them.
-    away: how far from there it is to stand, in world units.
-    """
-
-    positions: FloatArray
-    middle: FloatArray
-    away: float
-
-    def place(self, camera: Camera) -> FloatArray:
-        """(4, 4) how it is moved: so that its picture is the same, only shifted.
-
-        Merely moved aside, it would be seen from another side; turned about the camera, it would
-        have another size.
-        """
-        share = self.away / max(float(camera.depth(self.middle)), NEAREST * self.away)
-        T = np.eye(4)
-        T[:3, :3] -= share * np.outer(camera.right, camera.forward)
-        T[:3, 3] = share * (camera.position @ camera.forward) * camera.right
-        return T
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,6 +9,7 @@ import numpy as np
 from app.editor import commands as c
 from app.editor.action import Actions, check_name, given
 from app.scene.looks import SHADINGS
+from app.scene.twin import ASIDE
 from app.viewpoint.viewpoint import SIDES, UPS
 from app.workspace.workspace import Workspace
 from solver.types import IntArray
@@ -59,7 +60,7 @@ def _frame_all(work: Workspace) -> None:
     positions = shown = work.positions[seen]
     if work.looks.beside:
         rest = work.document.rest_positions[seen]
-        to_the_left = -work.document.diagonal * work.viewpoint.camera.right
+        to_the_left = -ASIDE * work.document.diagonal * work.viewpoint.camera.right
         shown = np.vstack([positions, rest, rest + to_the_left])
     work.viewpoint.frame(shown, about=positions)
 
