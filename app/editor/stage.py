@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from app.latest import Latest
 from app.scene.ghost import ghost
+from app.scene.looks import FILE, FLAT
 from app.scene.overlay import NOTHING, Overlay
 from app.scene.regions import Borders, border_lines
 from app.scene.scene import Dots, Lines, Scene, dot_radius
@@ -38,7 +41,10 @@ class Stage:
         ghost = self._seen_through() if work.looks.rest and not rest else None
         twin = self._before() if work.looks.beside and not rest else None
         overlay, lines = (NOTHING, None) if rest else (cursor, self._border_lines())
-        shown = positions, self.colors, self._pins(positions, rest), work.looks
+        looks = work.looks
+        if looks.shading == FILE and document.mesh.flat:
+            looks = replace(looks, shading=FLAT)
+        shown = positions, self.colors, self._pins(positions, rest), looks
         return Scene(self._polygons(), *shown, ghost, twin, lines, overlay)
 
     @property
@@ -54,7 +60,7 @@ class Stage:
     def _polygons(self) -> Shaded:
         """Those of the parts that are seen, with the hard edges that are asked for."""
         work, mesh = self._work, self._work.document.mesh
-        hard = work.looks.shading == "file" and mesh.smooth_corners is not None
+        hard = work.looks.shading == FILE and mesh.smooth_corners is not None
         version = hard, work.parts.hidden
         return self._shaded(version, lambda: shaded(mesh, hard, work.parts.seen))
 

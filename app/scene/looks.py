@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-SHADINGS = ("smooth", "flat", "file")
+SHADINGS = SMOOTH, FLAT, FILE = "smooth", "flat", "file"
 
 
 @dataclass(frozen=True)
@@ -17,7 +17,7 @@ class Looks:
     """
 
     edges: bool = False
-    shading: str = "file"
+    shading: str = FILE
     rest: bool = False
     beside: bool = False
 

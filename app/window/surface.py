@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import polyscope as ps
 
-from app.scene.looks import PLAIN, Looks
+from app.scene.looks import FLAT, PLAIN, Looks
 from app.scene.shading import Shaded
 from app.window.scaling import scaled
 from solver.types import FloatArray
@@ -49,8 +49,8 @@ class Surface:
             colors.update_data(shaded.of(shape.colors))
         if shape.looks.edges != before.looks.edges:  # to set what is set draws all again
             self._mesh.set_edge_width(scaled(EDGE_WIDTH) if shape.looks.edges else 0.0)
-        if (shape.looks.shading == "flat") != (before.looks.shading == "flat"):
-            self._mesh.set_smooth_shade(shape.looks.shading != "flat")
+        if (shape.looks.shading == FLAT) != (before.looks.shading == FLAT):
+            self._mesh.set_smooth_shade(shape.looks.shading != FLAT)
         self._shown = shape
 
     def put(self, place: FloatArray) -> None:

@@ -25,7 +25,7 @@ from solver.mesh.formats.format import (
 from solver.mesh.formats.table import FORMATS
 from solver.mesh.polygons import Polygons, triangulate
 from solver.mesh.progress import Progress, in_steps, portion, silent
-from solver.mesh.smoothing import smooth_corners
+from solver.mesh.smoothing import all_flat, smooth_corners
 from solver.storage import read_bytes, write_atomically
 from solver.types import FloatArray, IntArray
 
@@ -93,10 +93,15 @@ class Mesh:
         return weld_pieces(self.vertices, self.faces)
 
     @cached_property
+    def flat(self) -> bool:
+        """Whether the file has every edge hard."""
+        return self.smoothing is not None and all_flat(self.smoothing, self.outlines.sizes)
+
+    @cached_property
     def smooth_corners(self) -> IntArray | None:
         """(sum,) a number for each corner of `outlines`: corners that the file shades as one have
-        the same. None where the file has no hard edges, and `welded` says as much."""
-        if self.smoothing is None:
+        the same. None where no edge is hard, and `welded` says as much, or where all are."""
+        if self.smoothing is None or self.flat:
             return None
         return smooth_corners(self.smoothing, self.welded[self.outlines.corners])
 

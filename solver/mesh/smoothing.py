@@ -15,6 +15,23 @@ _CELL = 1 / 64
 _SHIFTS = np.arange(4) / 4
 
 
+def all_flat(smoothing: Smoothing, sizes: IntArray) -> bool:
+    """Whether no polygon is smooth with another: each has one normal, or a group of its own.
+
+    sizes: (p,) how many corners each polygon has.
+    """
+    alike, normals = smoothing.alike, smoothing.normals
+    first = np.repeat(alike[np.cumsum(sizes) - sizes], sizes)
+    if (alike < 0).any() or (alike == alike[0]).all():  # one for all is there for form's sake
+        return False
+    named = (alike < len(normals)) & (first < len(normals))
+    differ = named & (alike != first)
+    apart = _unit(normals[alike[differ]]) - _unit(normals[first[differ]])
+    if (alike != first)[~named].any() or np.abs(apart).max(initial=0.0) > _CELL / 4:
+        return False
+    return bool((np.bincount(alike)[alike] <= np.repeat(sizes, sizes))[~named].all())
+
+
 def smooth_corners(smoothing: Smoothing, place: IntArray) -> IntArray | None:
     """(sum,) the number of the smooth vertex of each corner; None where places are such vertices.
 

@@ -11,7 +11,7 @@ from app.editor import commands as c
 from app.editor.editor import Editor
 from app.model.free_path import free_path
 from app.model.preferences import PreferencesFile
-from app.scene.looks import SHADINGS
+from app.scene.looks import FILE, FLAT, SHADINGS, SMOOTH
 from app.viewpoint.viewpoint import SIDES, UPS
 from app.window.file_dialogs import FileDialogs
 from app.window.film import TakeFilm, default_film_path
@@ -24,7 +24,6 @@ SWITCHES = (
     ("rest", "rest shape", "See the rest shape through the surface"),
     ("beside", "beside", "See the rest shape beside the surface: before and after"),
 )
-SMOOTH, FLAT, FILE = SHADINGS
 SHADING_TIPS = {
     SMOOTH: "Shade over all edges",
     FLAT: "Shade each polygon flat",
@@ -111,7 +110,8 @@ def _evenly(rows: tuple[tuple[str, str, str], ...]) -> Iterator[tuple[str, tuple
 
 def _shading(editor: Editor, asked: list[c.Command]) -> None:
     """One of the ways that there are for this mesh."""
-    hard = editor.document.mesh.smooth_corners is not None
+    mesh = editor.document.mesh
+    hard = mesh.flat or mesh.smooth_corners is not None
     chosen = editor.looks.shading if hard or editor.looks.shading != FILE else SMOOTH
     for name in SHADINGS if hard else (SMOOTH, FLAT):
         if name != SMOOTH:

@@ -17,6 +17,9 @@ SQUARES = ((1, 2, 4, 3), (3, 4, 6, 5), (5, 6, 8, 7))
 RIDGE = {2, 3}
 
 
+UP = "vn 0 -1 1\nvn 0 1 1\nvn 0 1 1.001\nvn 1 0 0\n"
+
+
 def text(*faces: str, normals: str = "") -> str:
     return "".join(f"v {x} {y} {z}\n" for x, y, z in POINTS) + normals + "\n".join(faces) + "\n"
 
@@ -44,17 +47,13 @@ def parted(mesh: Mesh) -> set[int]:
     return {int(v) for v in np.flatnonzero(np.bincount(kinds[:, 0]) > 1)}
 
 
-UP = "vn 0 -1 1\nvn 0 1 1\nvn 0 1 1.001\n"
-
-
 @pytest.mark.parametrize(
     ("faces", "expected"),
     [
         ([plain(0), plain(1), plain(2)], set()),
+        (["s 1", plain(0), plain(1), plain(2)], set()),
         (["s 1", plain(0), "s 2", plain(1), plain(2)], RIDGE),
         (["s 1", plain(0), plain(1), "s roof # a name", plain(2)], {4, 5}),
-        (["s off", plain(0), plain(1), plain(2)], RIDGE | {4, 5}),
-        (["s 0", plain(0), plain(1), "s 1", plain(2)], RIDGE | {4, 5}),
         ([plain(0), "s 1", plain(1), plain(2)], RIDGE),
         (["s 3", plain(0), "s", plain(1), "s 3", plain(2)], RIDGE | {4, 5}),
     ],
@@ -62,15 +61,32 @@ UP = "vn 0 -1 1\nvn 0 1 1\nvn 0 1 1.001\n"
 def test_smoothing_groups_part_faces(tmp_path: Path, faces: list[str], expected: set[int]) -> None:
     mesh = load(tmp_path, text(*faces))
     assert parted(mesh) == expected
-    assert (mesh.smooth_corners is None) == (not expected)
+    assert not mesh.flat
+
+
+@pytest.mark.parametrize(
+    "faces",
+    [
+        ["s off", plain(0), plain(1), plain(2)],
+        ["s 0", plain(0), plain(1), "s 1", plain(2)],
+        ["s 1", plain(0), "s 2", plain(1), "s 3", plain(2)],
+        ["s 1", *(with_normals(k, k + 1, k + 1, k + 1, k + 1) for k in range(3))],
+        [with_normals(0, 2, 3, 3, 2), with_normals(1, 2, 2, 2, 2), "s off", plain(2)],
+    ],
+)
+def test_where_no_face_is_smooth_with_another_all_is_flat(tmp_path: Path, faces: list[str]) -> None:
+    """And no vertex has to be parted for it."""
+    mesh = load(tmp_path, text(*faces, normals=UP))
+    assert mesh.flat
+    assert mesh.smooth_corners is None
 
 
 @pytest.mark.parametrize(
     ("normals", "expected"),
     [
-        ([(1, 1, 1, 1), (2, 2, 2, 2), (2, 2, 2, 2)], RIDGE),
-        ([(1, 1, 1, 1), (1, 1, 2, 2), (2, 2, 2, 2)], set()),
-        ([(1, 1, 1, 1), (2, 2, 2, 2), (3, 3, 3, 3)], RIDGE),  # nearly equal is equal
+        ([(4, 1, 1, 1), (2, 2, 2, 2), (2, 2, 2, 2)], RIDGE),
+        ([(4, 1, 1, 1), (1, 1, 2, 2), (2, 2, 2, 2)], set()),
+        ([(4, 1, 1, 1), (2, 2, 2, 2), (3, 3, 3, 3)], RIDGE),  # nearly equal is equal
     ],
 )
 def test_normals_part_faces_whatever_the_groups_say(
@@ -87,13 +103,19 @@ def test_a_normal_that_cannot_be_read_is_a_direction_of_its_own(tmp_path: Path) 
     assert parted(mesh) == RIDGE | {4, 5}
 
 
+def test_one_normal_for_all_says_nothing(tmp_path: Path) -> None:
+    mesh = load(tmp_path, text(*(with_normals(k, 1, 1, 1, 1) for k in range(3)), normals=UP))
+    assert not mesh.flat
+    assert mesh.smooth_corners is None
+
+
 def test_seams_are_smooth_where_the_normals_of_both_sides_are(tmp_path: Path) -> None:
     """The roof in three pieces: what is one place is told by its normals."""
     lines, faces = [], []
     for k, square in enumerate(SQUARES):
         lines += ["v {} {} {}".format(*POINTS[v - 1]) for v in square]
-        normal = (1, 2, 3)[k]
-        faces.append("f " + " ".join(f"{4 * k + c}//{normal}" for c in (1, 2, 3, 4)))
+        normals = ((4, 1, 1, 1), (2, 2, 2, 2), (3, 3, 3, 3))[k]
+        faces.append("f " + " ".join(f"{4 * k + c + 1}//{normals[c]}" for c in range(4)))
     mesh = load(tmp_path, "\n".join([*lines, UP.rstrip(), *faces, ""]))
     numbers = mesh.smooth_corners
     assert numbers is not None

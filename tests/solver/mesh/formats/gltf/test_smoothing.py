@@ -14,7 +14,9 @@ from .scenes import TURN, F, P, Scene, trs
 SOUP = P[F].reshape(-1, 3)  # every triangle of the strip with vertices of its own
 TILTED = np.array([[0.0, 0.6, 0.8]])
 FLAT = np.array([[0.0, 0.0, 1.0]])
-HALVES = np.repeat([TILTED, FLAT], [6, 6], axis=0).reshape(-1, 3)  # an edge in the middle
+SIDEWAYS = np.array([[1.0, 0.0, 0.0]])  # of one corner: no triangle of its own would be flat
+HALF = np.vstack([SIDEWAYS, *5 * [TILTED]])
+HALVES = np.vstack([HALF, *6 * [FLAT]])  # an edge in the middle
 MATRIX = trs([3, 1, 2], TURN, [1, 5, -0.5])
 
 
@@ -45,7 +47,7 @@ def test_normals_part_what_positions_join(
 def test_normals_of_two_nodes_are_compared_in_the_scene(tmp_path: Path) -> None:
     """One half stands as it is, the other where a matrix turns, stretches and mirrors it."""
     scene = Scene()
-    scene.node(mesh=scene.mesh({"attributes": soup(scene, np.tile(TILTED, (6, 1)), slice(0, 6))}))
+    scene.node(mesh=scene.mesh({"attributes": soup(scene, HALF, slice(0, 6))}))
     linear = MATRIX[:3, :3]
     back = np.linalg.solve(linear, (SOUP[6:] - MATRIX[:3, 3]).T).T
     for normal, hard in ((TILTED, False), (FLAT, True)):
