@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import polyscope as ps
 
-from app.scene.looks import FLAT, PLAIN, Looks
+from app.scene.looks import FLAT, Looks
 from app.scene.shading import Shaded
 from app.window.scaling import scaled
 from solver.types import FloatArray
@@ -41,14 +41,14 @@ class Surface:
         before, shaded = self._shown, shape.shaded
         if before is None or shaded is not before.shaded:
             self._register(shape)
-            before = Shape(shaded, shape.positions, shape.colors, PLAIN)
+            before = shape
         if shape.positions is not before.positions:
             self._mesh.update_vertex_positions(shaded.of(shape.positions))
         if shape.colors is not before.colors:
             colors = self._mesh.get_quantity_buffer(COLORS, "colors")
             colors.update_data(shaded.of(shape.colors))
         if shape.looks.edges != before.looks.edges:  # to set what is set draws all again
-            self._mesh.set_edge_width(scaled(EDGE_WIDTH) if shape.looks.edges else 0.0)
+            self._mesh.set_edge_width(_edge_width(shape.looks))
         if (shape.looks.shading == FLAT) != (before.looks.shading == FLAT):
             self._mesh.set_smooth_shade(shape.looks.shading != FLAT)
         self._shown = shape
@@ -71,10 +71,15 @@ class Surface:
             self._name,
             shaded.of(shape.positions),
             shaded.polygons,
-            smooth_shade=True,
+            smooth_shade=shape.looks.shading != FLAT,  # each is told: Polyscope keeps what was
+            edge_width=_edge_width(shape.looks),  # told of the last one of this name
             material="wax",
         )
         self._mesh.set_back_face_policy("identical")
         self._mesh.set_edge_color(EDGE_COLOR)
         self._mesh.add_color_quantity(COLORS, shaded.of(shape.colors), enabled=True)
         self._place = np.eye(4)
+
+
+def _edge_width(looks: Looks) -> float:
+    return scaled(EDGE_WIDTH) if looks.edges else 0.0
