@@ -13,6 +13,7 @@ from scipy.spatial import cKDTree
 from app.bundled import ASSETS
 from app.graphics import loading
 from app.scene.scene import Scene
+from app.scene.shading import shaded
 from app.viewpoint.camera import FIELD_OF_VIEW, Camera
 from assets.generator.elbow import softness
 from assets.generator.figure import ARM_DEPTH, ARM_HEIGHT, ELBOW, WRIST
@@ -158,10 +159,10 @@ def main() -> None:
     tint = [next(COLORS[word] for word in name.split() if word in COLORS) for name in names]
     colors = np.array(tint)[part]
     open_offscreen(SIZE)
-    view = View()
+    view, surface = View(), shaded(mesh, hard=False)
 
     def draw(name: str, X: FloatArray, camera: Camera) -> None:
-        view.show(Scene(mesh, mesh.polygons, X, colors))
+        view.show(Scene(surface, X, colors))
         view.look(camera)
         view.picture(IMAGES / f"pieces-{name}.png")
 

@@ -9,6 +9,7 @@ import re
 import shutil
 import uuid
 import zlib
+from collections.abc import Iterable
 from pathlib import Path
 
 from solver.errors import FileError
@@ -27,9 +28,12 @@ def read_bytes(path: str | os.PathLike[str]) -> bytes:
         raise FileError(f"{path}: cannot be read: {_reason(error)}") from error
 
 
-def write_atomically(path: str | os.PathLike[str], data: bytes | bytearray) -> None:
+def write_atomically(
+    path: str | os.PathLike[str], data: bytes | bytearray | Iterable[bytes]
+) -> None:
     """Write beside the target, flush to the disk, then replace, and flush the folder too.
 
+    data: all of it, or piece by piece.
     A symbolic link is written through; an existing file keeps its permissions and its owner, and
     at no time is anything of it in a file that more people may read.
     Raises FileError and leaves the old file (and nothing else) where the new one cannot be written.
@@ -54,14 +58,14 @@ def _check_target(target: Path) -> None:
         raise PermissionError("it is write-protected")
 
 
-def _replace(target: Path, data: bytes | bytearray) -> None:
+def _replace(target: Path, data: bytes | bytearray | Iterable[bytes]) -> None:
     temporary = target.parent / f"{_prefix(os.getpid())}{uuid.uuid4().hex}.tmp"
     known = target.exists()
     try:
         mode = 0o600 if known else 0o666  # the latter as any new file: the umask takes its part
         number = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL | _BINARY, mode)
         with os.fdopen(number, "wb") as stream:
-            stream.write(data)
+            stream.writelines([data] if isinstance(data, bytes | bytearray) else data)
             stream.flush()
             os.fsync(stream.fileno())
         if known:

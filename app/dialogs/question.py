@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-Purpose = Literal["open", "save", "export", "export poses"]
+Purpose = Literal["open", "save", "export", "export poses", "turntable", "record"]
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from app.bundled import DEFAULT_MESH
 from app.figures.figure import Figure
 from app.graphics import loading
 from app.scene.scene import Dots, Scene, dot_radius
+from app.scene.shading import shaded
 from app.telling import tell
 from app.viewpoint.camera import FIELD_OF_VIEW, Camera
 from solver import load_mesh
@@ -30,9 +31,10 @@ def draw(figures: Sequence[Figure], folder: Path) -> None:
     open_offscreen(SIZE)
     view, mesh = View(), load_mesh(DEFAULT_MESH)
     radius = dot_radius(mesh.vertices, Topology(mesh.faces, len(mesh.vertices)).edges)
+    surface = shaded(mesh, hard=False)
     for figure in figures:
         dots = None if figure.pins is None else Dots(figure.X[figure.pins], radius)
-        view.show(Scene(mesh, mesh.polygons, figure.X, figure.colors, dots))
+        view.show(Scene(surface, figure.X, figure.colors, dots))
         view.look(CAMERAS[figure.camera])
         view.picture(folder / figure.picture)
         tell(f"{folder / figure.picture}: {figure.title}")

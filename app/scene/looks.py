@@ -4,17 +4,22 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+SHADINGS = SMOOTH, FLAT, FILE = "smooth", "flat", "file"
+
 
 @dataclass(frozen=True)
 class Looks:
-    """edges: those of the polygons are drawn.  smooth: shaded over the edges, else flat.
+    """edges: those of the polygons are drawn.
 
-    rest: the rest shape is seen as a ghost.
+    shading: one of SHADINGS. "file" has the hard edges that the file asks for, and is smooth where
+    it asks for none.
+    rest: the rest shape is seen as a ghost.  beside: it stands beside the surface.
     """
 
     edges: bool = False
-    smooth: bool = True
+    shading: str = FILE
     rest: bool = False
+    beside: bool = False
 
 
 PLAIN = Looks()

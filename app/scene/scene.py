@@ -11,7 +11,8 @@ import numpy as np
 
 from app.scene.looks import PLAIN, Looks
 from app.scene.overlay import NOTHING, Overlay
-from solver.mesh.mesh import Mesh
+from app.scene.shading import Shaded
+from app.scene.twin import Twin
 from solver.types import FloatArray, IntArray
 
 DOT_RADIUS = 0.16  # in edges of the mesh: dots never hide the colours between them
@@ -45,20 +46,21 @@ class Scene:
     What has not changed since the last scene is the same object, so that the view can tell by
     identity: arrays are never written in place once they are part of a scene.
 
-    mesh: another one is another surface, seen afresh.  polygons: those of it that are drawn.
-    positions: (n, 3) of its vertices.  colors: (n, 3) RGB in [0, 1] of its vertices.
+    shaded: the polygons that are drawn; another one is another surface, seen afresh.
+    positions: (n, 3) of the mesh's vertices.  colors: (n, 3) RGB in [0, 1] of them.
     dots: what is pinned.  looks: how the surface is drawn.
     ghost: (n, 3) of its vertices where it is seen through, None where it is not.
+    twin: what stands beside it.
     lines: the borders of what is held.  overlay: what is drawn over it.
     """
 
-    mesh: Mesh
-    polygons: IntArray | list[list[int]]
+    shaded: Shaded
     positions: FloatArray
     colors: FloatArray
     dots: Dots | None = None
     looks: Looks = PLAIN
     ghost: FloatArray | None = None
+    twin: Twin | None = None
     lines: Lines | None = None
     overlay: Overlay = NOTHING
 

@@ -75,9 +75,14 @@ class Viewpoint:
         steep = {"top": -towards, "bottom": towards}
         self._frame(positions, forward, steep.get(side, self.up))
 
-    def frame(self, positions: FloatArray) -> None:
-        """See the whole of `positions` (n, 3) from where the camera is."""
+    def frame(self, positions: FloatArray, about: FloatArray | None = None) -> None:
+        """See the whole of `positions` (n, 3) from where the camera is.
+
+        about: (k, 3) those that the view turns about, all by default.
+        """
         self._frame(positions, self.camera.forward, self.camera.up)
+        if about is not None:
+            self.pivot = 0.5 * (about.min(axis=0) + about.max(axis=0))
 
     def frames(self, positions: FloatArray) -> bool:
         """Whether these positions have been framed, and nothing looked at otherwise since."""

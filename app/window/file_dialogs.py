@@ -15,12 +15,16 @@ from app.editor.file_actions import open_command
 from app.editor.file_paths import default_export_path, default_session_path
 from app.editor.replacing import is_open_mesh
 from app.model.session_files import session_name
+from app.window.film import TakeFilm, default_film_path
+from app.window.film_files import FILMS
 from solver.mesh.formats.table import FORMATS
 
 MESHES = Kind("Meshes", tuple(FORMATS))
 SESSIONS = Kind("Sessions", (".json",))
 EXPORTS = "export", "export poses"  # both go where the last one went
+FILM_NAMES = "turntable", "record"
 BOTH = Kind("Meshes and sessions", (*FORMATS, ".json"))
+FILM = Kind("Films", tuple(FILMS))
 
 
 class FileDialogs:
@@ -44,7 +48,8 @@ class FileDialogs:
         self._dialogs.close()
 
     def act(self, name: str, editor: Editor) -> c.Command | None:
-        """What "open", "save", "save as", "export", "export as" and "export poses" ask for.
+        """What "open", "save", "save as", "export", "export as", "export poses" and the names of
+        films ask for.
 
         None where a dialog was opened to find out. Raises DialogError.
         """
@@ -99,11 +104,23 @@ def _export_poses(editor: Editor) -> Question:
     return replace(_export(editor), purpose="export poses")
 
 
+def _turntable(editor: Editor) -> Question:
+    path = default_film_path(editor.document.path, "turntable")
+    return Question("turntable", "Save a turntable as", path, (FILM,))
+
+
+def _record(editor: Editor) -> Question:
+    path = default_film_path(editor.document.path, "recording")
+    return Question("record", "Record to", path, (FILM,))
+
+
 QUESTIONS: dict[str, Callable[[Editor], Question]] = {
     "open": _open,
     "save": _save,
     "export": _export,
     "export poses": _export_poses,
+    "turntable": _turntable,
+    "record": _record,
 }
 
 
@@ -111,6 +128,8 @@ def _command(name: str, path: Path, editor: Editor, asked: bool = False) -> c.Co
     """asked: whether the person has agreed to replace what is there."""
     if name == "open":
         return open_command(path)
+    if name in FILM_NAMES:
+        return TakeFilm(name, path, asked)
     if name == "export poses":
         return c.ExportPoses(path, editor.blend.between, asked)
     return c.SaveSession(path, asked) if name == "save" else c.Export(path, asked)

@@ -21,6 +21,7 @@ from app.model.preferences import PreferencesFile, preferences_path
 from app.signals import told_to_end
 from app.viewpoint.camera import Camera
 from app.window.file_dialogs import FileDialogs
+from app.window.film import TakeFilm
 from app.window.lost_display import display_lost
 from app.window.messages import Messages, draw_task, overlay
 from app.window.mouse_and_keys import read_mouse, read_shortcuts
@@ -108,7 +109,9 @@ class Window:
         program = find_program() if remembered.file.values.dialogs else None
         self._dialogs = FileDialogs(Dialogs(program))
         self.unsaved = UnsavedWork(editor, self._dialogs, remembered.file.values.autosave)
-        self._panel = Panel(FileRows(self._dialogs), LookingRows(self._studio, remembered.file))
+        self._panel = Panel(
+            FileRows(self._dialogs), LookingRows(self._studio, remembered.file, self._dialogs)
+        )
         self._messages = Messages()
         self._waiting: list[c.Command] = []
         self._told = ProgressFrames("", lambda: self._panel.draw(editor))
@@ -207,6 +210,9 @@ class Window:
         if isinstance(command, WindowAction):
             with self._telling():
                 self._act(command.name)
+        elif isinstance(command, TakeFilm):
+            with self._telling():
+                self._studio.begin(command)
         elif isinstance(command, SetInterface):
             self._remembered.set_interface(command.scale)
         elif command.notice:
@@ -230,7 +236,7 @@ class Window:
             self._rest = True
         elif name in QUESTIONS:
             self._follow_up(self.unsaved.act(name))
-        elif name in PICTURES:
+        elif name in (*PICTURES, "stop"):
             self._studio.ask(name)
         elif not self._dialogs.available:
             self._panel.file_rows.use(name)

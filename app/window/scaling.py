@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import polyscope as ps
 
-SMALLEST, LARGEST = 0.5, 4.0
+from app.model.preferences import LARGEST, SMALLEST
 
 
 def scaled(length: float) -> float:

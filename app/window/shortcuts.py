@@ -14,7 +14,8 @@ from app.tools.table import TOOLS
 
 @dataclass(frozen=True)
 class WindowAction(c.Command):
-    """Something the window does by itself: "help", "rest", a dialog or row of files, a picture."""
+    """Something the window does by itself: "help", "rest", a dialog or row of files, a picture,
+    "stop" for the end of a recording."""
 
     name: str
 

@@ -2,27 +2,23 @@
 
 from __future__ import annotations
 
-import threading
 import time
-from pathlib import Path
-from typing import Literal
+from dataclasses import replace
 
 import numpy as np
 
-from app.bundled import writable
 from app.editor.editor import Editor
-from app.editor.replacing import whole
-from app.model.free_path import free_path
 from app.telling import tell
 from app.viewpoint.camera import Camera
 from app.viewpoint.moves import orbited
-from app.window.film import Film, Picture, PictureError, check_pictures, save_picture
+from app.window.film import Film, TakeFilm, beside, save_picture
+from app.window.film_files import Picture, PictureError, check_library
 from app.window.panel.widgets import WIDTH
 from app.window.scaling import scaled
 from app.window.view import View
 from solver.types import BoolArray, FloatArray
 
-PICTURES = ("picture", "turntable", "record")
+PICTURES = ("picture", "before-after")
 TURN_FRAMES, TURN_SECONDS = 72, 6.0
 PAUSE = 1 / 12  # seconds between two frames of a recording, or more where taking one takes longer:
 SHARE = 0.4  # of the time at most; a drag has the rest
@@ -39,8 +35,7 @@ class Studio:
         self._middle: FloatArray = np.zeros(3)  # what the turntable turns about
         self._film: Film | None = None
         self._next = 0.0
-        self._saving: threading.Thread | None = None
-        self._saved: tuple[str, Literal["info", "error"]] = "", "info"
+        self._saving: Film | None = None
 
     @property
     def recording(self) -> float | None:
@@ -58,50 +53,65 @@ class Studio:
         return orbited(viewpoint.camera, self._middle, (way, 0.0), viewpoint.up)
 
     def ask(self, name: str) -> None:
-        """One of PICTURES; "record" also ends a recording. Raises PictureError."""
-        check_pictures()
-        if name == "picture":
+        """One of PICTURES, or "stop" for the end of a recording. Raises PictureError."""
+        if name == "stop" and self._film is not None:
+            self._end(self._film)
+        elif name in PICTURES:
+            check_library("PIL")
             self._asked = name
-        elif name == "record" and self._film is not None:
-            self._end_recording(self._film)
-        elif self._saving is not None or self._turn is not None or self._film is not None:
+
+    def begin(self, film: TakeFilm) -> None:
+        """A film. Raises PictureError."""
+        if self._saving is not None or self._turn is not None or self._film is not None:
             raise PictureError("one film at a time: the last one is not finished yet")
-        elif name == "turntable":
+        if film.name == "turntable":
             seen = self._editor.positions[self._seen()]
             self._middle = 0.5 * (seen.min(axis=0) + seen.max(axis=0))
-            self._turn = Film()
+            self._turn = Film(film.path, film.replace)
         else:
-            self._film, self._next = Film(), 0.0
+            self._film, self._next = Film(film.path, film.replace), 0.0
             self._editor.say("Recording; press Stop to save it")
 
     def work(self) -> None:
         """Once a frame, after it was drawn. Raises SolverError."""
         if self._asked:
-            self._asked = ""
-            path = free_path(self._path("picture.png"))
-            save_picture(self._picture(), path)
-            self._editor.say(f"Saved {path}")
-        if self._turn is not None:
+            self._take(self._asked)
+        if self._turn is not None and self._turn.ready:
             self._take_turn(self._turn)
-        if self._film is not None:
+        if self._film is not None and self._film.ready:
             self._record(self._film)
         self._tell()
 
     def close(self) -> None:
-        """Save the film that is being recorded, and wait for the one that is being saved."""
-        if self._film is not None:
-            self._end_recording(self._film)
+        """Save the film that is being taken, and wait for the one that is being saved."""
+        film = self._turn or self._film
+        if film is not None:
+            self._end(film)
         if self._saving is not None:
-            self._saving.join()
-            tell(self._saved[0])
+            self._saving.wait()
+            if self._saving.saved is not None:
+                tell(self._saving.saved[0])
+
+    def _take(self, name: str) -> None:
+        self._asked = ""
+        path = beside(self._editor.document.path, f"{name}.png")
+        save_picture(self._picture() if name == "picture" else self._compared(), path)
+        self._editor.say(f"Saved {path}")
+
+    def _compared(self) -> Picture:
+        """The rest shape and the surface, seen by one camera."""
+        editor, halves = self._editor, []
+        for rest in (True, False):
+            self._view.show(replace(editor.scene(rest), twin=None))
+            halves.append(self._picture())
+        return np.hstack(halves)
 
     def _take_turn(self, film: Film) -> None:
         number = film.count
         film.add(self._picture(), number * TURN_SECONDS / TURN_FRAMES)
         resized = film.count == number  # the window is: the turn ends where it is
         if resized or film.count == TURN_FRAMES:
-            self._turn = None
-            self._save_behind(film, "turntable")
+            self._end(film)
 
     def _record(self, film: Film) -> None:
         start = time.perf_counter()
@@ -111,32 +121,19 @@ class Studio:
         took = time.perf_counter() - start
         self._next = start + max(PAUSE, took / SHARE)
         if film.full:
-            self._end_recording(film)
-            self._editor.say(f"The recording is full after {film.seconds:.0f} s: saving it ...")
+            self._end(film)
 
-    def _end_recording(self, film: Film) -> None:
-        self._film = None
-        self._save_behind(film, "recording")
-
-    def _save_behind(self, film: Film, name: str) -> None:
-        """In the background: saving takes longer than a frame."""
-        path = self._path(f"{name}.gif")
-        self._saving = threading.Thread(target=self._save, args=(film, path))
-        self._editor.say("Saving ...")
-        self._saving.start()
-
-    def _save(self, film: Film, path: Path) -> None:
-        try:
-            path = free_path(path)  # now: another window may have saved meanwhile
-            film.save(path)
-            self._saved = f"Saved {path}", "info"
-        except Exception as error:  # of a thread: nobody else would hear of it
-            self._saved = str(error), "error"
+    def _end(self, film: Film) -> None:
+        """Saving it goes on meanwhile."""
+        film.end()
+        self._turn, self._film, self._saving = None, None, film
+        self._editor.say(f"Saving {film.seconds:.0f} s ...")
 
     def _tell(self) -> None:
-        if self._saving is not None and not self._saving.is_alive():
+        if self._saving is not None and self._saving.saved is not None:
+            text, well = self._saving.saved
             self._saving = None
-            self._editor.say(*self._saved)
+            self._editor.say(text, "info" if well else "error")
 
     def _picture(self) -> Picture:
         """The scene beside the panel."""
@@ -147,7 +144,3 @@ class Studio:
     def _seen(self) -> BoolArray:
         """(n,) the vertices of what is shown."""
         return self._editor.parts.visible & (self._editor.document.mesh.pieces >= 0)
-
-    def _path(self, ending: str) -> Path:
-        mesh = self._editor.document.path
-        return whole(writable(mesh.with_name(f"{mesh.stem}-{ending}")))

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import polyscope as ps
 from numpy.typing import NDArray
 
-from app.scene.looks import PLAIN
 from app.scene.scene import Dots, Lines, Scene
-from app.viewpoint.camera import Camera
-from app.window.scaling import scaled
+from app.viewpoint.camera import FIELD_OF_VIEW, Camera
+from app.window.surface import COLORS, Shape, Surface
 
-SURFACE, COLORS, DOTS, LINES, GHOST = "surface", "colors", "dots", "lines", "ghost"
-EDGE_WIDTH, EDGE_COLOR = 0.6, (0.15, 0.15, 0.2)
+DOTS, LINES, GHOST = "dots", "lines", "ghost"
 DOT_COLOR = (0.96, 0.96, 0.98)
 GHOST_COLOR, GHOST_OPACITY = (0.45, 0.47, 0.52), 0.35
 GHOST_LAYERS = 3  # its front, its back, the surface: each is a pass over the scene
@@ -26,41 +22,30 @@ class View:
     """The scene on screen, and the camera it is seen through."""
 
     def __init__(self) -> None:
-        self._mesh: Any = None  # Polyscope has no type hints
+        self._surface, self._twin = Surface("surface"), Surface("twin")
         self._shown: Scene | None = None
+        self._camera = Camera.look_at([0, 0, 1], [0, 0, 0], FIELD_OF_VIEW, (1, 1))
 
     def show(self, scene: Scene) -> None:
         """Upload what differs from the scene shown before, and nothing else."""
         before = self._shown
-        if before is None or scene.polygons is not before.polygons:
-            before = self._register(scene)
-        if scene.positions is not before.positions:
-            self._mesh.update_vertex_positions(scene.positions)
-        if scene.colors is not before.colors:
-            self._mesh.get_quantity_buffer(COLORS, "colors").update_data(scene.colors)
-        if scene.dots is not before.dots:
+        self._surface.show(Shape(scene.shaded, scene.positions, scene.colors, scene.looks))
+        if scene.twin is not None:
+            self._twin.show(Shape(scene.shaded, scene.twin.positions, scene.colors, scene.looks))
+            self._twin.put(scene.twin.place(self._camera))
+        else:
+            self._twin.remove()
+        if before is None or scene.dots is not before.dots:
             _place(scene.dots)
-        if scene.lines is not before.lines:
-            _thread(scene.lines, before.lines)
-        if scene.looks != before.looks:  # setting it to what it is draws the whole scene again
-            self._mesh.set_edge_width(scaled(EDGE_WIDTH) if scene.looks.edges else 0.0)
-            self._mesh.set_smooth_shade(scene.looks.smooth)
-        if scene.ghost is not before.ghost:
+        if before is None or scene.lines is not before.lines:
+            _thread(scene.lines, before.lines if before else None)
+        if (
+            before is None
+            or scene.ghost is not before.ghost
+            or (scene.ghost is not None and scene.shaded is not before.shaded)
+        ):
             _haunt(scene)
         self._shown = scene
-
-    def _register(self, scene: Scene) -> Scene:
-        """Another surface, or another part of it; returns what of the scene is shown by now."""
-        self._mesh = ps.register_surface_mesh(
-            SURFACE, scene.positions, scene.polygons, smooth_shade=True, material="wax"
-        )
-        self._mesh.set_back_face_policy("identical")
-        self._mesh.set_edge_color(EDGE_COLOR)
-        self._mesh.add_color_quantity(COLORS, scene.colors, enabled=True)
-        _place(scene.dots)
-        _thread(scene.lines, None)
-        _haunt(scene)
-        return replace(scene, looks=PLAIN)
 
     def look(self, camera: Camera, reach: float | None = None) -> None:
         """See what `camera` sees; the field of view stays.
@@ -70,6 +55,7 @@ class View:
         """
         if reach is not None:
             ps.set_view_center_raw(camera.position + reach * camera.forward)
+        self._camera = camera
         axes = np.stack([camera.right, camera.up, -camera.forward])
         matrix = np.eye(4)
         matrix[:3, :3], matrix[:3, 3] = axes, -axes @ camera.position
@@ -115,8 +101,8 @@ def _haunt(scene: Scene) -> None:
     seen = scene.ghost is not None
     ps.set_transparency_mode("pretty" if seen else "none")
     ps.set_transparency_render_passes(GHOST_LAYERS)
-    if seen:
-        ghost = ps.register_surface_mesh(GHOST, scene.ghost, scene.polygons)
+    if scene.ghost is not None:
+        ghost = ps.register_surface_mesh(GHOST, scene.shaded.of(scene.ghost), scene.shaded.polygons)
         ghost.set_color(GHOST_COLOR)
         ghost.set_material("flat")
         ghost.set_back_face_policy("identical")

@@ -24,7 +24,7 @@ class Parts:
     """The parts of a mesh. A hidden one is neither seen, picked nor painted; it still follows.
 
     hidden: their numbers.  visible: (n,) the vertices that are seen.
-    faces: the triangles that are seen.  polygons: the same of the file's polygons.
+    faces: the triangles that are seen.  seen: (p,) the polygons of the file, None for all.
     """
 
     def __init__(self, mesh: Mesh) -> None:
@@ -45,17 +45,9 @@ class Parts:
         self.hidden = hidden
         self.visible: BoolArray = ~np.isin(self._mesh.pieces, list(hidden))
         self.faces: IntArray = self._mesh.faces[self.visible[self._mesh.faces[:, 0]]]
-        self.polygons = self._seen()
-
-    def _seen(self) -> IntArray | list[list[int]]:
-        """The polygons of the file that are seen."""
-        polygons, outlines = self._mesh.polygons, self._mesh.outlines
-        if not self.hidden:
-            return polygons
-        seen = self.visible[outlines.corners[outlines.starts]]
-        if isinstance(polygons, list):
-            return [polygon for polygon, one in zip(polygons, seen, strict=True) if one]
-        return polygons[seen]
+        outlines = self._mesh.outlines
+        first = outlines.corners[outlines.starts]
+        self.seen: BoolArray | None = self.visible[first] if hidden else None
 
 
 def _parts(mesh: Mesh) -> tuple[Part, ...]:

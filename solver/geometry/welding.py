@@ -54,14 +54,14 @@ def welded_surface(V: FloatArray, F: IntArray) -> tuple[FloatArray, IntArray, In
     return V[first], welded[F], welded
 
 
-def pieces(V: FloatArray, F: IntArray) -> IntArray:
-    """(n,) the number of the connected piece of each vertex, seams welded.
+def weld_pieces(V: FloatArray, F: IntArray) -> tuple[IntArray, IntArray]:
+    """(n,) the number of the welded vertex of each vertex, and (n,) that of its connected piece.
 
     Pieces are counted by their first vertex; an unreferenced vertex has none: -1.
     """
     topology = Topology(F, len(V))
     welded = weld(V, topology)
-    return number_pieces(components(welded[topology.edges], len(V))[welded], F)
+    return welded, number_pieces(components(welded[topology.edges], len(V))[welded], F)
 
 
 def number_pieces(component: IntArray, faces: IntArray) -> IntArray:

@@ -14,11 +14,19 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from solver.errors import MeshError
-from solver.geometry.welding import pieces
-from solver.mesh.formats.format import Colours, DeformedSurface, FileContent, Format, Groups
+from solver.geometry.welding import weld_pieces
+from solver.mesh.formats.format import (
+    Colours,
+    DeformedSurface,
+    FileContent,
+    Format,
+    Groups,
+    Smoothing,
+)
 from solver.mesh.formats.table import FORMATS
 from solver.mesh.polygons import Polygons, triangulate
 from solver.mesh.progress import Progress, in_steps, portion, silent
+from solver.mesh.smoothing import all_flat, smooth_corners
 from solver.storage import read_bytes, write_atomically
 from solver.types import FloatArray, IntArray
 
@@ -46,6 +54,7 @@ class Mesh:
     source: object
     groups: Groups | None = None
     colours: Colours | None = None
+    smoothing: Smoothing | None = None
 
     @classmethod
     def from_arrays(cls, V: ArrayLike, F: ArrayLike) -> Mesh:
@@ -71,19 +80,38 @@ class Mesh:
             raise MeshError(f"face {face} names vertex {vertex}, but they go from 0 to {last}")
         return _build(FileContent(vertices, polygons), "the mesh")
 
-    @cached_property
+    @property
     def pieces(self) -> IntArray:
         """(n,) the number of the connected piece of each vertex, seams welded, -1 for a vertex
         that no face uses."""
-        return pieces(self.vertices, self.faces)
+        return self._welded_pieces[1]
+
+    @property
+    def welded(self) -> IntArray:
+        """(n,) the number of the vertex that each becomes once seams are welded."""
+        return self._welded_pieces[0]
+
+    @cached_property
+    def _welded_pieces(self) -> tuple[IntArray, IntArray]:
+        return weld_pieces(self.vertices, self.faces)
+
+    @cached_property
+    def flat(self) -> bool:
+        """Whether the file has every edge hard."""
+        return self.smoothing is not None and all_flat(self.smoothing, self.outlines.sizes)
+
+    @cached_property
+    def smooth_corners(self) -> IntArray | None:
+        """(sum,) a number for each corner of `outlines`: corners that the file shades as one have
+        the same. None where no edge is hard, and `welded` says as much, or where all are."""
+        if self.smoothing is None or self.flat:
+            return None
+        return smooth_corners(self.smoothing, self.welded[self.outlines.corners])
 
     @cached_property
     def polygons(self) -> IntArray | list[list[int]]:
         """The faces of the file for display: (p, k) where all have k corners, else lists."""
-        sizes = self.outlines.sizes
-        if (sizes == sizes[0]).all():
-            return self.outlines.corners.reshape(-1, int(sizes[0]))
-        return self.outlines.tolist()
+        return self.outlines.rows()
 
     def save(
         self,
@@ -186,8 +214,8 @@ def _build(content: FileContent, name: str) -> Mesh:
     faces = polygons.corners[corners]
     for array in (vertices, polygons.sizes, polygons.corners, corners, faces):
         _lock(array)
-    more = content.extras, content.source, content.groups, content.colours
-    return Mesh(vertices, polygons, corners, faces, *more)
+    kept = content.extras, content.source, content.groups, content.colours, content.smoothing
+    return Mesh(vertices, polygons, corners, faces, *kept)
 
 
 def pose_paths(path: str | os.PathLike[str], poses: Iterable[str]) -> dict[str, str]:

@@ -27,6 +27,16 @@ class Polygons:
         """(p,) where the corners of each polygon start."""
         return np.cumsum(self.sizes) - self.sizes
 
+    def where(self, keep: BoolArray) -> Polygons:
+        """Those of `keep`, (p,)."""
+        return Polygons(self.sizes[keep], self.corners[np.repeat(keep, self.sizes)])
+
+    def rows(self) -> IntArray | list[list[int]]:
+        """(p, k) where all have k corners, else one list of vertices a polygon."""
+        if len(self.sizes) and (self.sizes == self.sizes[0]).all():
+            return self.corners.reshape(-1, int(self.sizes[0]))
+        return self.tolist()
+
     def tolist(self) -> list[list[int]]:
         """One list of vertices a polygon."""
         flat = self.corners.tolist()

@@ -4,6 +4,7 @@ import os
 import stat
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,21 @@ def test_what_is_written_is_read_back(tmp_path: Path) -> None:
     write_atomically(tmp_path / "a.obj", b"two")
     assert read_bytes(tmp_path / "a.obj") == b"two"
     assert os.listdir(tmp_path) == ["a.obj"]
+
+
+def test_pieces_become_one_file_or_none(tmp_path: Path) -> None:
+    def pieces(last: Exception | None) -> Iterator[bytes]:
+        yield b"one "
+        if last is not None:
+            raise last
+        yield b"two"
+
+    write_atomically(tmp_path / "a.mp4", pieces(None))
+    assert read_bytes(tmp_path / "a.mp4") == b"one two"
+    with pytest.raises(FileError, match="cannot be written: gone"):
+        write_atomically(tmp_path / "a.mp4", pieces(OSError("gone")))
+    assert read_bytes(tmp_path / "a.mp4") == b"one two"
+    assert os.listdir(tmp_path) == ["a.mp4"]
 
 
 @pytest.mark.parametrize("name", ["missing.obj", "", "nul\0.obj"])

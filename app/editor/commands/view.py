@@ -44,9 +44,10 @@ class SetUp(Command):
 
 @dataclass(frozen=True)
 class SetLooks(Command):
-    """Change how the surface is drawn: what is not None of workspace.looks.Looks."""
+    """Change how the surface is drawn: what is not None of scene.looks.Looks."""
 
     interrupts: ClassVar[bool] = False
     edges: bool | None = None
-    smooth: bool | None = None
+    shading: str | None = None
     rest: bool | None = None
+    beside: bool | None = None

@@ -13,7 +13,15 @@ from app.editor.file_paths import default_export_path, default_session_path
 from app.model.session_files import session_name
 from app.telling import readable
 from app.window.file_dialogs import FileDialogs
-from app.window.panel.widgets import REST_OF_LINE, disabled, shares, shortened, text_field
+from app.window.panel.widgets import (
+    REST_OF_LINE,
+    disabled,
+    shares,
+    short_path,
+    shortened,
+    text_field,
+    typed_path,
+)
 from app.window.scaling import scaled
 from app.window.shortcuts import WindowAction
 
@@ -74,17 +82,17 @@ class FileRows:
             psim.SetKeyboardFocusHere()
         self._open, go = _row("Open", "drop a file or type", self._open)
         if go and self._open.strip():
-            asked.append(open_command(_path(self._open)))
+            asked.append(open_command(typed_path(self._open)))
         proposed = default_session_path(editor)
         session, go = self._session.draw("Save session", "session (.json)", proposed)
         if go or self._used == "save":
-            asked.append(c.SaveSession(session_name(_path(session))))
+            asked.append(c.SaveSession(session_name(typed_path(session))))
         proposed = default_export_path(editor)
         mesh, go = self._export.draw("Export mesh", "deformed mesh", proposed)
         if go or self._used == "export":
-            asked.append(c.Export(_path(mesh)))
+            asked.append(c.Export(typed_path(mesh)))
         if self._used == "export poses":
-            asked.append(c.ExportPoses(_path(mesh), editor.blend.between))
+            asked.append(c.ExportPoses(typed_path(mesh), editor.blend.between))
 
 
 class _PathField:
@@ -97,7 +105,7 @@ class _PathField:
     def draw(self, label: str, hint: str, proposed: Path) -> tuple[str, bool]:
         """As _row, but that an empty text stands for what is proposed."""
         if proposed != self._proposed or not self._text:
-            self._proposed, self._text = proposed, _short(proposed)
+            self._proposed, self._text = proposed, short_path(proposed)
         self._text, go = _row(label, hint, self._text)
         return self._text, go
 
@@ -124,16 +132,4 @@ def _row(label: str, hint: str, text: str) -> tuple[str, bool]:
         psim.SetTooltip(readable(text))
     psim.SameLine()
     pressed = psim.Button(label, REST_OF_LINE)
-    return text, pressed or entered
-
-
-def _path(text: str) -> Path:
-    return Path(text.strip()).expanduser()
-
-
-def _short(path: Path) -> str:
-    """Relative to the working directory where it lies below."""
-    try:
-        return str(path.resolve().relative_to(Path.cwd()))
-    except ValueError:
-        return str(path)
+    return text, bool(pressed or entered)

@@ -59,7 +59,7 @@ def brush_radius(editor: Editor, asked: list[c.Command]) -> None:
     """A slider, in diagonals of the mesh or heights of the window, where a brush is in the hand."""
     if editor.marking.shape != "brush":
         return
-    psim.SetNextItemWidth(RADIUS_WIDTH)
+    psim.SetNextItemWidth(scaled(RADIUS_WIDTH))
     moved, radius = logarithmic("##radius", editor.brush.radius, *BRUSH_RADII, "radius %.3f")
     psim.SetItemTooltip("Of the brush: Ctrl+wheel, or the keys [ and ]")
     if moved:

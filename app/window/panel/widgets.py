@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 import polyscope.imgui as psim
 
@@ -107,3 +108,16 @@ def disabled(off: bool) -> Iterator[None]:
     psim.BeginDisabled(off)
     yield
     psim.EndDisabled()
+
+
+def typed_path(text: str) -> Path:
+    """The path that was typed into a field."""
+    return Path(text.strip()).expanduser()
+
+
+def short_path(path: Path) -> str:
+    """As a field has it: relative to the working directory where it lies below."""
+    try:
+        return str(path.resolve().relative_to(Path.cwd()))
+    except ValueError:
+        return str(path)

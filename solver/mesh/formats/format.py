@@ -24,6 +24,19 @@ class Groups:
 
 
 @dataclass(frozen=True, eq=False)
+class Smoothing:
+    """What a file says of where its surface is smooth and where it has hard edges.
+
+    alike: (sum,) of each polygon corner. Corners in one place that have the same number are smooth
+    together; -1 where the file says nothing. A number below k names one of normals (k, 3), and
+    nearly equal normals count as the same.
+    """
+
+    alike: IntArray
+    normals: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
 class FileContent:
     """What a mesh file holds.
 
@@ -32,6 +45,7 @@ class FileContent:
     source: what its format needs to write that back, None where it keeps nothing.
     groups: the polygons by the objects or nodes that they belong to, None where it names none.
     colours: reads those of the vertices, (n, 4) as in `colours`, None where it has none.
+    smoothing: None where it says nothing of that.
     """
 
     vertices: FloatArray
@@ -40,6 +54,7 @@ class FileContent:
     source: object = None
     groups: Groups | None = None
     colours: Colours | None = None
+    smoothing: Smoothing | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -75,9 +75,9 @@ def test_all_following_again_is_the_default(person: Person) -> None:
 
 def test_a_hidden_part_is_neither_picked_nor_painted_and_still_follows(person: Person) -> None:
     editor, rest = person.editor, person.editor.document.mesh.vertices
-    assert len(editor.parts.polygons) == len(editor.document.mesh.faces)
+    assert len(editor.scene().shaded.polygons) == len(editor.document.mesh.faces)
     person.do(c.ShowPart(1, False), c.ShowPart(2, False))
-    assert len(editor.parts.polygons) == len(editor.document.mesh.faces) - 4
+    assert len(editor.scene().shaded.polygons) == len(editor.document.mesh.faces) - 4
     person.use("fixed", 3)
     person.stroke([10.2, 2.2, 0.05])
     assert editor.document.role[own(person, 1)].max() == 0

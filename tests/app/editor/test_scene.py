@@ -26,7 +26,7 @@ def test_what_has_not_changed_is_the_same_object(ready: Person) -> None:
     ready.frame([12, 2, 0])
     two = ready.editor.scene()
     assert one.dots is not None
-    for field in ("mesh", "positions", "colors", "dots"):
+    for field in ("shaded", "positions", "colors", "dots"):
         assert getattr(one, field) is getattr(two, field), field
 
 
@@ -68,9 +68,9 @@ def test_pins_are_seen_with_the_softness_only(ready: Person) -> None:
 
 def test_looks_change_one_by_one_and_nothing_of_the_document(ready: Person) -> None:
     before, done = state(ready.editor.document), len(ready.editor.history.done)
-    ready.do(c.SetLooks(smooth=False), c.SetLooks(edges=True))
+    ready.do(c.SetLooks(shading="flat"), c.SetLooks(edges=True))
     looks = ready.editor.scene().looks
-    assert (looks.edges, looks.smooth, looks.rest) == (True, False, False)
+    assert (looks.edges, looks.shading, looks.rest) == (True, "flat", False)
     assert (state(ready.editor.document), len(ready.editor.history.done)) == (before, done)
     ready.do(c.OpenMesh(DEFAULT_MESH))
     assert ready.editor.scene().looks == looks, "of the person, not of the mesh"

@@ -105,8 +105,10 @@ def main(width: int, height: int, scale: float, tool: str, mesh: Path) -> None:
     editor = Editor(document, IdleWorker())
     editor.execute(c.SetTool(tool))
     editor.execute(c.SetMap("strain"))
-    files = FileRows(FileDialogs(Dialogs(tk if session else None)))
-    panel = Panel(files, LookingRows(Studio(editor, View()), PreferencesFile(mesh / "none")))
+    dialogs = FileDialogs(Dialogs(tk if session else None))
+    files = FileRows(dialogs)
+    looking = LookingRows(Studio(editor, View()), PreferencesFile(mesh / "none"), dialogs)
+    panel = Panel(files, looking)
 
     def frame() -> None:
         # The mock enlarges its letters once more.

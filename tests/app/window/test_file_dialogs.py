@@ -15,6 +15,7 @@ from app.dialogs.question import Answer, Question
 from app.editor import commands as c
 from app.editor.file_actions import load_document
 from app.window.file_dialogs import FileDialogs
+from app.window.film import TakeFilm
 from solver.mesh.formats.table import FORMATS
 from tests.app.person import Person, slab
 
@@ -122,6 +123,28 @@ def test_an_export_of_poses_asks_as_an_export_does_and_has_the_shapes_between(
     assert clerk.asked[0].path == tmp_path / "m-deformed.obj"
     clerk.path = tmp_path / "film.glb"
     assert files.poll(person.editor) == c.ExportPoses(tmp_path / "film.glb", 3, replace=True)
+
+
+@pytest.mark.parametrize(
+    ("name", "proposed"), [("turntable", "m-turntable.mp4"), ("record", "m-recording.mp4")]
+)
+def test_a_film_goes_where_a_dialog_says_and_its_suffix_tells_its_kind(
+    clerk: Clerk, person: Person, tmp_path: Path, name: str, proposed: str
+) -> None:
+    pytest.importorskip("av")
+    files = FileDialogs(clerk)
+    for _ in range(2):
+        assert files.act(name, person.editor) is None, "it asks every time"
+        assert clerk.asked[-1].saves
+        assert clerk.asked[-1].path == tmp_path / proposed
+        assert clerk.asked[-1].kinds[0].suffixes == (".gif", ".mp4")
+    for typed, path in (("a.gif", "a.gif"), ("a.mp4", "a.mp4"), ("a", "a.mp4")):
+        clerk.path = tmp_path / typed
+        assert files.poll(person.editor) == TakeFilm(name, tmp_path / path, replace=True)
+    (tmp_path / proposed).touch()
+    files.act(name, person.editor)
+    number = proposed.replace(".mp4", "-2.mp4")
+    assert clerk.asked[-1].path == tmp_path / number, "nothing is replaced by an Enter"
 
 
 def test_a_dialog_does_not_say_that_a_file_is_the_mesh_that_is_open(

@@ -9,7 +9,7 @@ from solver import ConstraintError, Deformer, Setup
 from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import motion, moved, rotation
 from solver.geometry.procrustes import rigid_motion
-from solver.geometry.welding import pieces
+from solver.geometry.welding import weld_pieces
 from solver.linear.binding import bind
 from solver.linear.rest_surface import RestSurface
 from solver.types import FloatArray, IntArray
@@ -40,7 +40,7 @@ FAR = shapes.together(TUBE, ball((4, 3, 0), 0.3))
 
 
 def piece(number: int, surface: Surface = DRESSED) -> IntArray:
-    return np.flatnonzero(pieces(*surface) == number)
+    return np.flatnonzero(weld_pieces(*surface)[1] == number)
 
 
 def gap(X: FloatArray, one: IntArray, other: IntArray) -> float:
@@ -167,7 +167,7 @@ def test_a_chair_stays_a_chair() -> None:
     back = np.flatnonzero(V[:, 1] > 6)
     turn = motion(rotation([1, 0, 0], -30), centre=[2, 4, 0.5])
     X = Deformer(V, F, legs, [back]).pose([turn], 4)
-    number = pieces(V, F)
+    number = weld_pieces(V, F)[1]
     seat = np.flatnonzero(number == 0)
     for part in (1, 2, 3):
         contact = touching(V, np.flatnonzero(number == part), seat)
@@ -198,7 +198,7 @@ def test_following_can_be_switched_without_another_mesh() -> None:
 
 def test_a_grab_on_a_piece_that_follows_takes_all_along() -> None:
     V, F = DRESSED
-    weights = np.where(pieces(V, F) == 1, 1.0, 0.0)
+    weights = np.where(weld_pieces(V, F)[1] == 1, 1.0, 0.0)
     shift = motion(np.eye(3), [0.5, 1, 0])
     X = Deformer(V, F).grab(weights).pose([shift])
     np.testing.assert_allclose(X, V + [0.5, 1, 0], atol=1e-9)

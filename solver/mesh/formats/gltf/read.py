@@ -13,6 +13,7 @@ from solver.mesh.formats.colours import from_light, rgba
 from solver.mesh.formats.format import FileContent, Groups
 from solver.mesh.formats.gltf.accessors import MOST_ELEMENTS, read_floats
 from solver.mesh.formats.gltf.container import Gltf, open_gltf
+from solver.mesh.formats.gltf.part import Part
 from solver.mesh.formats.gltf.primitives import has_triangles, target_count, triangles
 from solver.mesh.formats.gltf.scene import (
     nodes_with_meshes,
@@ -20,6 +21,7 @@ from solver.mesh.formats.gltf.scene import (
     world_transforms,
 )
 from solver.mesh.formats.gltf.schema import Json
+from solver.mesh.formats.gltf.smoothing import read_smoothing
 from solver.mesh.polygons import Polygons
 from solver.mesh.progress import Progress, silent
 from solver.types import FloatArray, IntArray
@@ -29,30 +31,6 @@ _COMPRESSION = {
     "EXT_meshopt_compression": "meshopt",
     "KHR_meshopt_compression": "meshopt",
 }
-
-
-@dataclass(frozen=True, eq=False)
-class Part:
-    """Vertices that some primitives of a mesh share, where a node shows them.
-
-    primitives: their numbers in the mesh.  position: the accessor of the vertices.
-    start, count: which vertices of the surface.  triangles: those of each primitive.
-    linear: (3, 3) or (count, 3, 3) what the scene does to differences of positions.
-    """
-
-    node: int
-    mesh: int
-    primitives: tuple[int, ...]
-    position: int
-    start: int
-    count: int
-    triangles: tuple[slice, ...]
-    linear: FloatArray
-
-    @property
-    def vertices(self) -> slice:
-        """Which vertices of the surface."""
-        return slice(self.start, self.start + self.count)
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,15 +77,15 @@ def read_gltf(data: bytes, name: str, progress: Progress = silent) -> FileConten
         for done, node in enumerate(first.values()):
             progress(done / len(first))
             reader.add(node)
-    faces = np.concatenate([np.empty((0, 3), np.int64), *reader.faces])
-    if not len(faces):
-        raise gltf.error("no triangles, expected a scene that shows at least one")
+        faces = np.concatenate([np.empty((0, 3), np.int64), *reader.faces])
+        if not len(faces):
+            raise gltf.error("no triangles, expected a scene that shows at least one")
+        smoothing = read_smoothing(gltf, reader.parts, faces)
     extras = _extras(gltf, list(first), len(shown) - len(first))
     source = GltfSource(gltf, tuple(reader.parts))
-    vertices = np.concatenate(reader.vertices)
+    vertices, polygons = np.concatenate(reader.vertices), Polygons.from_array(faces)
     colours = source.colours if "colours" in extras else None
-    polygons = Polygons.from_array(faces)
-    return FileContent(vertices, polygons, extras, source, reader.groups(), colours)
+    return FileContent(vertices, polygons, extras, source, reader.groups(), colours, smoothing)
 
 
 class _Reader:

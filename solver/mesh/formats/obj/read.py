@@ -9,7 +9,7 @@ import numpy as np
 
 from solver.errors import MeshError
 from solver.mesh.formats.colours import rgba_of_text
-from solver.mesh.formats.format import FileContent, Groups
+from solver.mesh.formats.format import FileContent, Groups, Smoothing
 from solver.mesh.formats.obj.rows import Rows, coloured_lines, read_rows
 from solver.mesh.formats.text.file import Flaw, TextFile, check_text
 from solver.mesh.formats.text.lines import Lines
@@ -18,6 +18,7 @@ from solver.mesh.polygons import Polygons
 from solver.mesh.progress import Progress, silent
 from solver.types import FloatArray, IntArray
 
+_NOT_SMOOTH = b"", b"0", b"off"
 _EXTRAS = {"texture coordinates": b"vt", "normals": b"vn", "objects": b"o", "groups": b"g"}
 
 
@@ -74,8 +75,9 @@ def read_obj(data: bytes, name: str, progress: Progress = silent) -> FileContent
     colours = source.colours if rows.rare["colours"] else None
     named = rows.at[b"o"] if rows.at[b"o"].size else rows.at[b"g"]
     groups = _groups(text.data, named, face_at) if named.size else None
+    smoothing = _smoothing(text.data, rows, corner_normals)
     polygons = Polygons(rows.sizes, corners)
-    return FileContent(rows.points, polygons, extras, source, groups, colours)
+    return FileContent(rows.points, polygons, extras, source, groups, colours, smoothing)
 
 
 def _lines(text: TextFile, progress: Progress = silent) -> Iterator[Lines]:
@@ -84,14 +86,35 @@ def _lines(text: TextFile, progress: Progress = silent) -> Iterator[Lines]:
 
 def _groups(data: bytes, at: IntArray, face_at: IntArray) -> Groups:
     """The faces by the object or group that the last of the lines `at` before them names."""
-    stops = ((data.find(b"\n", start) + 1 or len(data)) for start in at.tolist())
-    lines = (data[start:stop] for start, stop in zip(at.tolist(), stops, strict=True))
-    words = (b" ".join(line.partition(b"#")[0].split()[1:]) for line in lines)
-    names = [word.decode("utf-8", "replace") for word in words]
+    names = [word.decode("utf-8", "replace") for word in _named(data, at)]
     number = {name: k for k, name in enumerate(dict.fromkeys(names))}
     # The last entry is for faces before the first line.
     numbers = np.array([*(number[name] for name in names), -1])
     return Groups(tuple(number), numbers[np.searchsorted(at, face_at) - 1])
+
+
+def _named(data: bytes, at: IntArray) -> Iterator[bytes]:
+    """What follows the keyword of each of the lines `at`."""
+    for start in at.tolist():
+        line = data[start : data.find(b"\n", start) + 1 or len(data)]
+        yield b" ".join(line.partition(b"#")[0].split()[1:])
+
+
+def _smoothing(data: bytes, rows: Rows, corner_normals: IntArray) -> Smoothing | None:
+    """By normals; corners without one by the smoothing group of their face, if there are groups."""
+    at, face_at = rows.at[b"s"], rows.at[b"f"]
+    if not at.size and (corner_normals < 0).all():
+        return None
+    if not at.size:
+        return Smoothing(corner_normals, rows.normals)
+    known = {name: number for number, name in enumerate(dict.fromkeys(_named(data, at)))}
+    numbers = [-1 if name in _NOT_SMOOTH else known[name] for name in _named(data, at)]
+    # Groups are off before the first line; a face without one is smooth with no other.
+    group = np.array([*numbers, -1])[np.searchsorted(at, face_at) - 1]
+    group = np.where(group < 0, len(known) + np.arange(len(group)), group)
+    spread = np.repeat(len(rows.normals) + group, rows.sizes)
+    alike = np.where(corner_normals < 0, spread, corner_normals)
+    return Smoothing(alike, rows.normals)
 
 
 def _resolve(numbers: IntArray, sizes: IntArray, face_at: IntArray, at: IntArray) -> IntArray:

@@ -15,7 +15,7 @@ from solver.mesh.formats.text.points import finite_points, read_any
 from solver.types import FloatArray, IntArray
 
 _RARE = {"materials": b"usemtl", "lines": b"l", "points": b"p"}
-_KEYWORDS = b"v", b"vt", b"vn", b"f", b"g", b"o"
+_KEYWORDS = b"v", b"vt", b"vn", b"f", b"g", b"o", b"s"
 
 
 @dataclass(frozen=True, eq=False)

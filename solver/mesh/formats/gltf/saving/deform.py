@@ -10,7 +10,7 @@ from solver.errors import MeshError
 from solver.mesh.formats.format import DeformedSurface
 from solver.mesh.formats.gltf.accessors import read_floats
 from solver.mesh.formats.gltf.container import Gltf
-from solver.mesh.formats.gltf.read import Part
+from solver.mesh.formats.gltf.part import Part
 from solver.mesh.formats.gltf.saving.edit import Edit
 from solver.mesh.normals import turn_normals
 from solver.types import BoolArray, FloatArray, IntArray

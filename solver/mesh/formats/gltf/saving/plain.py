@@ -10,8 +10,9 @@ import numpy as np
 from solver.mesh.formats.colours import to_light
 from solver.mesh.formats.format import DeformedSurface
 from solver.mesh.formats.gltf.container import Gltf
+from solver.mesh.formats.gltf.part import Part
 from solver.mesh.formats.gltf.primitives import LIST
-from solver.mesh.formats.gltf.read import GltfSource, Part
+from solver.mesh.formats.gltf.read import GltfSource
 from solver.mesh.formats.gltf.saving.division import Share, divide
 from solver.mesh.formats.gltf.saving.edit import Edit
 from solver.mesh.formats.gltf.schema import Json
