@@ -11,9 +11,11 @@ from typing import NoReturn
 from app.bundled import DEFAULT_SESSION
 from app.graphics import loading
 from solver.errors import SolverError
+from solver.limits import HIGHEST_LEVEL
 from solver.mesh.formats.table import FORMATS
 
 USAGE_ERROR = 2
+LONGEST_LEVEL = 20  # digits: Python refuses to read thousands of them
 SESSION_SUFFIX = ".json"
 COMMAND = "surface-deformation"
 PROGRAM = COMMAND if Path(sys.argv[0]).stem == COMMAND else "python -m app"
@@ -131,8 +133,9 @@ def _folder(command: str, description: str, arguments: Sequence[str]) -> Path:
 
 
 def _level(text: str) -> int:
-    if not text.isdecimal():
-        raise argparse.ArgumentTypeError(f"expected an integer of 0 or more, got {text!r}")
+    if not text.isdecimal() or len(text) > LONGEST_LEVEL or int(text) > HIGHEST_LEVEL:
+        expected = f"an integer from 0 to {HIGHEST_LEVEL}"
+        raise argparse.ArgumentTypeError(f"expected {expected}, got {text[:60]!r}")
     return int(text)
 
 

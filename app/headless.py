@@ -6,13 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.editor.file_actions import load_document
+from app.editor.file_actions import load_document, usable_mesh
 from app.editor.pose_export import check_free, poses_to_save
 from app.model.document import Document
 from app.model.handles import Pose
 from app.model.schema import SessionError
 from app.worker.memory import check_memory
-from solver import Deformer, load_mesh
+from solver import Deformer
 from solver.mesh.mesh import pose_paths
 from solver.mesh.statistics import MeshStatistics, mesh_statistics
 from solver.types import FloatArray
@@ -79,7 +79,7 @@ def _kept(document: Document, name: str) -> Pose:
 
 def info(path: Path) -> str:
     """What a mesh file holds and what is unusual about it, as text. Raises SolverError."""
-    counts = mesh_statistics(load_mesh(path))
+    counts = mesh_statistics(usable_mesh(path))
     lines = [f"{path}", *_surface_lines(counts), *_extra_lines(counts), *_odd_lines(counts)]
     return "\n".join(lines)
 

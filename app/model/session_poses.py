@@ -11,11 +11,15 @@ from app.model.handles import Pose
 from app.model.poses import KeptPose
 from app.model.schema import SessionError
 
+# The panel lists them all.
+MOST_POSES = 10_000
+
 POSES = schema.list_of(
     schema.fields(
         {"name": schema.text, "transforms": schema.named(schema.transform)},
         required=("name", "transforms"),
-    )
+    ),
+    MOST_POSES,
 )
 
 

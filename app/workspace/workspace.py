@@ -16,6 +16,7 @@ from app.live.live_surface import LiveSurface
 from app.model.document import Document, clock
 from app.model.handles import Handle, Pose
 from app.model.history import Gesture, History
+from app.model.reach import Reach
 from app.pointing.brush import Brush, Neighbours
 from app.pointing.picking import Hit, Picker
 from app.scene.looks import PLAIN, Looks
@@ -100,6 +101,7 @@ class Workspace:
         self.symmetry_name = "off"
         self.picker = Picker(mesh.vertices, mesh.faces)
         self._under: Latest[Hit | None] = Latest()
+        self._reach: Latest[Reach] = Latest()
         self._centres: Latest[dict[int, FloatArray]] = Latest()
         self._limbs: dict[int, Limbs] = {}
         self.last_input: Input | None = None
@@ -178,8 +180,13 @@ class Workspace:
         self._under = Latest()
 
     def posed(self, pose: Pose, transforms: Mapping[int, FloatArray]) -> Pose:
-        """A pose with some handles elsewhere, (4, 4) by key, and those that mirror them too."""
+        """A pose with some handles elsewhere, (4, 4) by key, and those that mirror them too.
+
+        Raises ConstraintError where that is too far, see Reach.
+        """
         for key, T in transforms.items():
+            handle = self.document.find(key)
+            self.reach.check(T, handle.name if handle else "what is grabbed")
             pose = pose.moved(key, T)
         if self.symmetry is None:
             return pose
@@ -188,6 +195,11 @@ class Workspace:
             if other is not None and other not in transforms:
                 pose = pose.moved(other, self.symmetry.transform(T))
         return pose
+
+    @property
+    def reach(self) -> Reach:
+        """How far handles may go; found again for another rest shape."""
+        return self._reach(self.document.surface_number, lambda: Reach(self.document))
 
     @property
     def positions(self) -> FloatArray:

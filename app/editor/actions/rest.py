@@ -50,8 +50,10 @@ def _set(
     with work.edit(label) as gesture:
         gesture.change("rest", rest)
         gesture.change("pose", moved(document.pose))
-        poses = (replace(kept, pose=moved(kept.pose)) for kept in document.poses)
-        gesture.change("poses", tuple(poses))
+        poses = tuple(replace(kept, pose=moved(kept.pose)) for kept in document.poses)
+        gesture.change("poses", poses)
+        for pose in (document.pose, *(kept.pose for kept in poses)):
+            work.reach.check_pose(document, pose)
 
 
 REST_ACTIONS: Actions = {c.MakeRest: make_rest, c.RestoreRest: restore_rest}
