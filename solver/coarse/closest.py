@@ -14,7 +14,7 @@ from solver.types import BoolArray, FloatArray, IntArray
 STEPS = 20
 # Triangles around a vertex that are looked at. Where thousands of points are near a vertex with
 # thousands of triangles, all of them would be pairs without number.
-MOST_AROUND = 256
+MOST_AROUND = 64
 
 
 class NearbySurface:
