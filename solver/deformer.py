@@ -44,7 +44,8 @@ class Deformer:
 
     Seams are welded for the solve. What nothing holds, by itself or through what it is attached
     to, stays at rest.
-    Raises MeshError, ConstraintError or MaterialError. [Wang, Liu & Tong 2012; docs/math.md]
+    Raises MeshError, ConstraintError, MaterialError, or FactorizationError where rounding would
+    spoil the result. [Wang, Liu & Tong 2012; docs/math.md]
 
     >>> import solver
     >>> V = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0]]  # two squares

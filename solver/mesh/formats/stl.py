@@ -6,7 +6,7 @@ import numpy as np
 
 from solver.errors import MeshError
 from solver.mesh.formats.format import DeformedSurface, FileContent
-from solver.mesh.formats.narrowing import narrowed
+from solver.mesh.formats.narrowing import check_distinct, narrowed
 from solver.mesh.formats.text.file import TextFile, check_text
 from solver.mesh.formats.text.lines import Lines
 from solver.mesh.formats.text.points import finite_points
@@ -32,10 +32,14 @@ def read_stl(data: bytes, name: str, progress: Progress = silent) -> FileContent
 
 
 def write_stl(surface: DeformedSurface) -> bytes:
-    """Binary STL of the triangles. The format rounds to float32; MeshError for what is beyond."""
-    corners = surface.positions[surface.triangles]
+    """Binary STL of the triangles. The format rounds to float32; MeshError for what is
+    beyond, and for vertices that would become one."""
+    X, triangles = surface.positions, surface.triangles
+    stored = narrowed(X, "<f4")
+    check_distinct(X, stored, triangles, surface.path)
+    corners = X[triangles]
     records = np.zeros(len(corners), dtype=_RECORD)
-    records["corners"] = narrowed(corners, "<f4")
+    records["corners"] = stored[triangles]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normal, axis=1, keepdims=True)
     records["normal"] = normal / np.where(length > 0, length, 1)
@@ -49,7 +53,8 @@ def _read_binary(data: bytes, name: str) -> FloatArray:
             f"{name}: not an STL mesh, or cut short: {len(data)} bytes, "
             f"expected {_HEAD + max(count, 1) * _RECORD.itemsize} or more"
         )
-    corners = np.frombuffer(data, _RECORD, count, _HEAD)["corners"].astype(np.float64)
+    with np.errstate(invalid="ignore"):  # a float32 may be no number, of any kind
+        corners = np.frombuffer(data, _RECORD, count, _HEAD)["corners"].astype(np.float64)
     bad = np.flatnonzero(~np.isfinite(corners).all(axis=(1, 2)))
     if bad.size:
         raise MeshError(f"{name}, triangle {bad[0] + 1}: expected finite coordinates")

@@ -36,7 +36,8 @@ class BinaryBody(Body):
         result = np.empty((element.count, len(names)))
         for column, k in enumerate(map(element.position, names)):
             kind = element.properties[k].type
-            result[:, column] = self._gather(layout.starts[:, k], layout.lengths[:, k], kind)
+            with np.errstate(invalid="ignore"):  # a float32 may be no number, of any kind
+                result[:, column] = self._gather(layout.starts[:, k], layout.lengths[:, k], kind)
         return result
 
     def lists(self, element: Element, name: str) -> Lists:
