@@ -93,7 +93,8 @@ class System:
         known, border = self._rest.affine_rows @ PROBE, self._structure.border
         rows, columns = self._structure.rows[border], self._structure.columns[border]
         rows, columns = np.concatenate([rows, columns]), np.concatenate([columns, rows])
-        pull = np.bincount(rows, np.tile(self._values[border], 2) * known[columns], len(known))
+        pull: FloatArray = np.zeros(len(known))
+        np.add.at(pull, rows, np.tile(self._values[border], 2) * known[columns])
         check_factor(self.factor, known[self.free], -pull[self.free])
 
     def matrix(self) -> sp.csr_array:

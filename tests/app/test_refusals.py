@@ -9,8 +9,7 @@ from typing import Any
 
 import pytest
 
-from app.__main__ import main
-from tests.app.command import HANDLE, WITHOUT_GRAPHICS, run, session, write, write_bar
+from tests.app.command import HANDLE, WITHOUT_GRAPHICS, refused, run, session, write, write_bar
 
 
 @pytest.fixture(autouse=True)
@@ -19,20 +18,6 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     write_bar()
     return tmp_path
-
-
-def refused(capsys: pytest.CaptureFixture[str], *words: str) -> str:
-    """The one line on stderr of a command that ends with exit code 2."""
-    code: object
-    try:
-        code = main(words)
-    except SystemExit as end:
-        code = end.code
-    output = capsys.readouterr()
-    assert code == 2
-    assert output.out == ""
-    assert re.fullmatch(r"python -m app[^\n]*: [^\n]+\n", output.err), output.err
-    return output.err
 
 
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"

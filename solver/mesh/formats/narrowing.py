@@ -36,6 +36,7 @@ def check_distinct(X: FloatArray, stored: NDArray[Any], faces: IntArray, path: s
     merged = np.unique(same[length > SEEN * diagonal])
     if len(merged):
         raise MeshError(
-            f"{path}: {len(merged)} vertices would become one with a neighbour in {stored.dtype.name}"
-            ", so far from the origin; expected a format of more digits (.obj, .off, .ply)"
+            f"{path}: {len(merged)} vertices would become one with a neighbour in "
+            f"{stored.dtype.name}, so far from the origin; expected a format of more digits "
+            "(.obj, .off, .ply)"
         )

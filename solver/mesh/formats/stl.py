@@ -32,8 +32,10 @@ def read_stl(data: bytes, name: str, progress: Progress = silent) -> FileContent
 
 
 def write_stl(surface: DeformedSurface) -> bytes:
-    """Binary STL of the triangles. The format rounds to float32; MeshError for what is
-    beyond, and for vertices that would become one."""
+    """Binary STL of the triangles. The format rounds to float32.
+
+    Raises MeshError for what is beyond, and for vertices that would become one.
+    """
     X, triangles = surface.positions, surface.triangles
     stored = narrowed(X, "<f4")
     check_distinct(X, stored, triangles, surface.path)
