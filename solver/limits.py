@@ -10,6 +10,8 @@ import numpy as np
 
 # Of a position, and of the diagonal of what faces use: beyond, squares of squares leave float64.
 LARGEST_COORDINATE, SMALLEST_SIZE = 1e60, 1e-60
+# Of what is opened: graphics cards have float32, and square lengths.
+LARGEST_SHOWN, SMALLEST_SHOWN = 1e18, 1e-18
 # A handle's linear part may turn, stretch, shear, mirror or flatten: its largest entry.
 LARGEST_STRETCH = 1e3
 # How far a handle takes the middle of the surface, or a point its target, in diagonals.

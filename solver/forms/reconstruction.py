@@ -51,6 +51,8 @@ def reconstruct(
     n = topology.vertex_count
     # Solved in units of the surface's size: positions and frames are then of one magnitude.
     size = np.sqrt(heron(forms.lengths[topology.half_edge_edge]).sum())
+    if not size > 0:
+        raise MeshError("the forms' triangles must have an area, got none")
     scaled = FundamentalForms(forms.edges, forms.lengths / size, forms.dihedral_angles)
     D, w = reconstruction_residuals(topology, scaled, BENDING_LENGTH)
     seeds = np.array([faces[seed_face, 0], *(n + 3 * seed_face + np.arange(3))])

@@ -75,11 +75,11 @@ EXTREME: dict[str, tuple[dict[str, Any], str]] = {
     "a large count": ({"fixed": [10**4000]}, r"fixed\[0\]: expected an integer, 0 or more, got 1"),
     "rest in a point": (
         {"rest": [[1, 2, 3]] * 210},
-        "rest: all faces lie in one point, expected a size of 1e-60 or more",
+        "rest: all faces lie in one point, expected a size of 1e-18 or more",
     ),
     "rest beyond": (
         {"rest": [[1e160, 0, 0]] * 210},
-        r"rest, vertex 0: expected coordinates up to 1e\+60, got \[1e\+160",
+        r"rest, vertex 0: expected coordinates up to 1e\+18, got \[1e\+160",
     ),
 }
 
@@ -132,9 +132,9 @@ CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.2]])
 SIZES = {
     "beyond": (
         1e160 * CORNERS,
-        r"m.obj, vertex 1: expected coordinates up to 1e\+60, got \[1e\+160",
+        r"m.obj, vertex 1: expected coordinates up to 1e\+18, got \[1e\+160",
     ),
-    "tiny": (1e-200 * CORNERS, "m.obj: the surface is 1e-200 large, expected a size of 1e-60"),
+    "tiny": (1e-200 * CORNERS, "m.obj: the surface is 1e-200 large, expected a size of 1e-18"),
     "collapsed": (0 * CORNERS + 3, "m.obj: all faces lie in one point, expected a size of"),
 }
 

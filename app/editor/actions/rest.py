@@ -12,6 +12,7 @@ from app.editor.action import Actions
 from app.model.handles import Pose
 from app.model.rest import RestShape, affine_fit, composed, flattens, seen_from
 from app.workspace.workspace import Workspace
+from solver.mesh.sizes import check_sizes
 
 
 def make_rest(work: Workspace, command: c.MakeRest) -> None:
@@ -24,6 +25,7 @@ def make_rest(work: Workspace, command: c.MakeRest) -> None:
                 f"{handle.name} is flattened: from such a shape nothing leads back"
             )
     work.surface.settle(document)
+    check_sizes(work.positions, document.mesh.faces, "the rest shape")
     rest = document.new_rest(work.positions)
     _set(work, "Make rest shape", rest, lambda other: seen_from(other, pose))
 

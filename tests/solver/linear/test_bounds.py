@@ -122,6 +122,12 @@ def test_forms_of_no_surface_are_refused(length: float) -> None:
         reconstruct(F, replace(forms, lengths=lengths))
 
 
+def test_forms_without_an_area_are_refused() -> None:
+    flat = V * [1, 0, 0]
+    with pytest.raises(MeshError, match="triangles must have an area, got none"):
+        reconstruct(F, fundamental_forms(flat, F))
+
+
 def test_gains_too_far_apart_are_refused() -> None:
     soft, material = np.ones(len(V)), Material(1e-6, 1e6)
     with pytest.raises(FactorizationError, match=r"only, expected .*: triangles are too thin"):
