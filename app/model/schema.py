@@ -12,9 +12,11 @@ import numpy as np
 from app.model.settings import is_number
 from solver.errors import SolverError
 from solver.limits import LARGEST_GAIN, LARGEST_STRETCH, SMALLEST_GAIN, within
+from solver.nesting import is_deep
 from solver.types import FloatArray
 
 Check = Callable[[Any, str], Any]  # (value, where) -> value
+NESTED = "expected a session, got lists nested too deeply"
 QUOTED = 50  # characters of what arrived
 # Of names and paths: longer than any system's paths, short enough to be shown.
 LONGEST_TEXT = 4096
@@ -28,18 +30,21 @@ def parse(data: bytes) -> Any:
     """The JSON in a file. Raises SessionError with line and column."""
     try:
         text = data.decode("utf-8-sig")
-        return json.loads(text, parse_constant=_refuse_constant, object_pairs_hook=_object)
+        root = json.loads(text, parse_constant=_refuse_constant, object_pairs_hook=_object)
     except UnicodeDecodeError as error:
         raise SessionError(f"expected UTF-8 text, got byte {data[error.start]:#04x}") from error
     except json.JSONDecodeError as error:
         where = f"line {error.lineno}, column {error.colno}"
         raise SessionError(f"{where}: expected JSON, got an error: {error.msg}") from error
     except RecursionError as error:
-        raise SessionError("expected a session, got lists nested too deeply") from error
+        raise SessionError(NESTED) from error
     except SessionError:
         raise
     except ValueError as error:  # an integer of thousands of digits
         raise SessionError(f"expected numbers of a usual size: {error}") from error
+    if is_deep(root):
+        raise SessionError(NESTED)
+    return root
 
 
 def _refuse_constant(name: str) -> Any:
@@ -63,10 +68,7 @@ def escaped(name: str) -> str:
 
 def refuse(where: str, expected: str, value: Any) -> SessionError:
     """The error for a value that is not what was expected."""
-    try:
-        got = json.dumps(value)
-    except RecursionError:
-        got = "lists nested too deeply"
+    got = json.dumps(value)
     cut = "..." * (len(got) > QUOTED)
     return SessionError(f"{where}: expected {expected}, got {got[:QUOTED]}{cut}")
 

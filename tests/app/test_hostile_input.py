@@ -113,6 +113,10 @@ BOMBS = {
     "nested lists": ("[" * 1000 + "]" * 1000, "expected a session, got lists nested too deeply"),
     "nested below the limit": (
         "{" + SESSION + ', "fixed": [' + "[" * 700 + "]" * 700 + "]}",
+        "expected a session, got lists nested too deeply",
+    ),
+    "nested a little": (
+        "{" + SESSION + ', "fixed": [' + "[" * 90 + "]" * 90 + "]}",
         r"fixed\[0\]: expected an integer",
     ),
     "nested objects": ('{"a":' * 5000 + "1" + "}" * 5000, "expected a session, got lists nested"),

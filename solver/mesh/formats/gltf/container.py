@@ -14,11 +14,10 @@ from numpy.typing import NDArray
 from solver.errors import MeshError
 from solver.mesh.formats.gltf.schema import Json, check_schema
 from solver.mesh.formats.gltf.uris import read_uri
+from solver.nesting import DEEPEST, is_deep
 
 Bytes = NDArray[np.uint8]
 MAGIC = b"glTF"
-# Python copies and writes what is nested by calls within calls, which end at a thousand.
-DEEPEST = 100
 JSON_CHUNK, BINARY_CHUNK = b"JSON", b"BIN\0"
 
 
@@ -78,20 +77,9 @@ def _parsed(text: bytes, name: str) -> Any:
     except (ValueError, RecursionError) as error:
         reason = str(error).splitlines()[0]
         raise MeshError(f"{name}: not a glTF file, its JSON cannot be read: {reason}") from error
-    if _is_deep(root):
+    if is_deep(root):
         raise MeshError(f"{name}: its JSON is nested too deeply, expected {DEEPEST} levels or less")
     return root
-
-
-def _is_deep(root: Any) -> bool:
-    """Whether more than DEEPEST lists and objects lie inside each other."""
-    level = [root] if isinstance(root, dict | list) else []
-    for _ in range(DEEPEST):
-        inside = (entry.values() if isinstance(entry, dict) else entry for entry in level)
-        level = [child for some in inside for child in some if isinstance(child, dict | list)]
-        if not level:
-            return False
-    return True
 
 
 def _chunks(data: bytes, name: str) -> tuple[bytes, Bytes | None, bytes]:
