@@ -12,6 +12,7 @@ from app.bundled import DEFAULT_SESSION
 from app.telling import flush, tell
 
 USAGE_ERROR, INTERRUPTED = 2, 130
+LONGEST_LEVEL = 20  # digits: Python refuses to read thousands of them
 SESSION_SUFFIX = ".json"
 COMMAND = "surface-deformation"
 PROGRAM = COMMAND if Path(sys.argv[0]).stem == COMMAND else "python -m app"
@@ -174,8 +175,11 @@ def _add_force(parser: argparse.ArgumentParser) -> None:
 
 
 def _level(text: str) -> int:
-    if not text.isdecimal():
-        raise argparse.ArgumentTypeError(f"expected an integer of 0 or more, got {text!r}")
+    from solver.limits import HIGHEST_LEVEL
+
+    if not text.isdecimal() or len(text) > LONGEST_LEVEL or int(text) > HIGHEST_LEVEL:
+        expected = f"an integer from 0 to {HIGHEST_LEVEL}"
+        raise argparse.ArgumentTypeError(f"expected {expected}, got {text[:60]!r}")
     return int(text)
 
 

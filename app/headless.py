@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.editor.file_actions import load_document
+from app.editor.file_actions import load_document, usable_mesh
 from app.editor.pose_export import poses_to_save
 from app.model.carrying import MeshChanged
 from app.model.document import Document
@@ -15,7 +15,7 @@ from app.model.outputs import check_outputs
 from app.model.schema import SessionError
 from app.telling import tell
 from app.worker.memory import check_memory
-from solver import Deformer, load_mesh
+from solver import Deformer
 from solver.mesh.mesh import pose_paths
 from solver.mesh.statistics import MeshStatistics, mesh_statistics
 from solver.types import FloatArray
@@ -106,7 +106,7 @@ def _kept(document: Document, name: str) -> Pose:
 
 def info(path: Path) -> list[str]:
     """What a mesh file holds and what is unusual about it, as lines. Raises SolverError."""
-    counts = mesh_statistics(load_mesh(path))
+    counts = mesh_statistics(usable_mesh(path))
     return [f"{path}", *_surface_lines(counts), *_extra_lines(counts), *_odd_lines(counts)]
 
 

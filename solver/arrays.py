@@ -8,17 +8,47 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.errors import ConstraintError, MeshError, SolverError
+from solver.limits import LARGEST_COORDINATE, SMALLEST_SIZE
 from solver.types import FloatArray, IntArray
 
 Array = TypeVar("Array", FloatArray, IntArray)
 
 
+def as_surface(V: ArrayLike, F: ArrayLike) -> tuple[FloatArray, IntArray]:
+    """`as_vertices` and `as_faces`, and MeshError for a surface too small for the arithmetic.
+
+    One that is collapsed into a point passes: nothing is to be told apart there.
+    """
+    vertices = as_vertices(V)
+    faces = as_faces(F, len(vertices))
+    size = extent(vertices, faces)
+    if 0 < size < SMALLEST_SIZE:
+        raise MeshError(f"the surface must be {SMALLEST_SIZE:.0e} large or more, got {size:.3g}")
+    return vertices, faces
+
+
+def extent(V: FloatArray, F: IntArray) -> float:
+    """The longest side of the box around the vertices F, any shape, of V (n, 3)."""
+    return float(np.ptp(V[F.ravel()], axis=0).max())
+
+
 def as_vertices(V: ArrayLike) -> FloatArray:
-    """Positions as (n, 3) finite float64; MeshError otherwise."""
+    """Positions as (n, 3) float64 of a usable size; MeshError otherwise."""
     V = as_floats(V, "vertices", MeshError)
     if V.ndim != 2 or V.shape[1] != 3 or len(V) == 0:
         raise MeshError(f"vertices must be (n, 3) with n > 0, got {V.shape}")
+    check_coordinates(V, "vertices")
     return V
+
+
+def check_coordinates(V: FloatArray, what: str) -> None:
+    """MeshError naming `what` unless the arithmetic holds all coordinates of V (n, 3)."""
+    if not np.abs(V).max(initial=0.0) <= LARGEST_COORDINATE:
+        at = int(np.flatnonzero(~(np.abs(V) <= LARGEST_COORDINATE).all(axis=1))[0])
+        raise MeshError(
+            f"{what} must have coordinates up to {LARGEST_COORDINATE:.0e}, "
+            f"got {V[at].tolist()} at vertex {at}"
+        )
 
 
 def as_faces(F: ArrayLike, vertex_count: int) -> IntArray:
@@ -61,7 +91,7 @@ def as_floats(values: ArrayLike, what: str, error: type[SolverError]) -> FloatAr
     """Any shape as finite float64; `error` naming `what` otherwise."""
     try:
         array = np.array(values, dtype=np.float64)
-    except (TypeError, ValueError) as failure:
+    except (TypeError, ValueError, OverflowError) as failure:
         raise error(f"{what} must be numbers: {failure}") from failure
     if not np.isfinite(array).all():
         where = np.argwhere(~np.isfinite(array))[0].tolist()

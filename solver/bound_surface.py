@@ -15,6 +15,7 @@ from solver.geometry.procrustes import rigid_motion
 from solver.linear.binding import Binding, bind
 from solver.linear.drag_model import DragModel, Transforms
 from solver.linear.grab import Grab, Moments, make_grab
+from solver.linear.reach import check_points
 from solver.linear.response import Response, with_grabs
 from solver.linear.rest_surface import RestSurface
 from solver.rigid.half_way import half_way, squared
@@ -155,6 +156,7 @@ class BoundSurface:
         count = sum(map(len, shown))
         if X.shape != (count, 3):
             raise ConstraintError(f"targets must be ({count}, 3), got {X.shape}")
+        check_points(X, rest.centre, rest.scale, "targets")
         U = np.zeros((rest.row_count, 3))
         splits = np.cumsum([len(h) for h in shown])[:-1]
         motions = [np.eye(4)] * self.handle_count

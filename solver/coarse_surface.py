@@ -22,6 +22,7 @@ from solver.geometry.rotations import nearest_rotations
 from solver.linear.binding import Binding, bind, gains_of
 from solver.linear.drag_model import DragModel, Transforms
 from solver.linear.grab import as_grab_weights, relative
+from solver.linear.reach import check_points
 from solver.linear.rest_surface import RestSurface
 from solver.setup import FREE, Setup
 from solver.surface.embedding import Embedding, Identity
@@ -169,6 +170,7 @@ class CoarseSurface:
         X, count = as_floats(targets, "targets", ConstraintError), sum(map(len, handles))
         if X.shape != (count, 3):
             raise ConstraintError(f"targets must be ({count}, 3), got {X.shape}")
+        check_points(X, self.carrier.fine.centre, self.carrier.fine.scale, "targets")
         splits = np.split(X, np.cumsum([len(handle) for handle in handles])[:-1])
         parts = zip(handles, self.held.setup.handles, splits, strict=False)  # none: one empty split
         return [(own, self.embedding.targets(named, goal, own)) for named, own, goal in parts]

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from solver.bound_surface import BoundSurface
 from solver.coarse_surface import CoarseSurface, bind_surface, rebind_surface
 from solver.errors import ConstraintError
+from solver.limits import HIGHEST_LEVEL
 from solver.linear.drag_model import DragModel, Transforms
 from solver.linear.system import System
 from solver.setup import Setup
@@ -43,7 +44,8 @@ class Deformer:
 
     Seams are welded for the solve. What nothing holds, by itself or through what it is attached
     to, stays at rest.
-    Raises MeshError, ConstraintError or MaterialError. [Wang, Liu & Tong 2012; docs/math.md]
+    Raises MeshError, ConstraintError, MaterialError, or FactorizationError where rounding would
+    spoil the result. [Wang, Liu & Tong 2012; docs/math.md]
 
     >>> import solver
     >>> V = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0]]  # two squares
@@ -216,6 +218,7 @@ def _deformer(bound: BoundSurface | CoarseSurface) -> Deformer:
 
 
 def _as_level(rigid: int) -> int:
-    if isinstance(rigid, bool) or not isinstance(rigid, int | np.integer) or rigid < 0:
-        raise ConstraintError(f"rigid must be an integer of 0 or more, got {rigid!r}")
+    whole = isinstance(rigid, int | np.integer) and not isinstance(rigid, bool)
+    if not (whole and 0 <= rigid <= HIGHEST_LEVEL):
+        raise ConstraintError(f"rigid must be an integer from 0 to {HIGHEST_LEVEL}, got {rigid!r}")
     return int(rigid)

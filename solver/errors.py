@@ -11,7 +11,7 @@ class SolverError(ValueError):
     ...     solver.Material(bending=0, stretching=1)
     ... except solver.SolverError as error:
     ...     print(error)
-    material's bending gain must be positive, got 0
+    material's bending gain must be from 1e-06 to 1e+06, got 0
     """
 
 

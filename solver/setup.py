@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from solver.arrays import as_floats, as_indices, as_integers, locked
 from solver.errors import ConstraintError, MaterialError, MeshError
+from solver.limits import LONGEST_BEND, SHORTEST_BEND, within
 from solver.softness.material import EdgeGains, Material, as_edge_gains, resolve_material
 from solver.types import BoolArray, FloatArray, IntArray
 
@@ -141,8 +142,9 @@ def _claim(group: IntArray, vertices: IntArray, number: int) -> None:
 
 def _as_length(length: float) -> float:
     numeric = isinstance(length, int | float | np.number) and not isinstance(length, bool)
-    if not (numeric and np.isfinite(length) and length > 0):
-        raise MaterialError(f"bending_length must be a positive number, got {length!r}")
+    if not (numeric and within(length, SHORTEST_BEND, LONGEST_BEND)):
+        bounds = f"{SHORTEST_BEND:g} to {LONGEST_BEND:g}"
+        raise MaterialError(f"bending_length must be a number from {bounds}, got {length!r}")
     return float(length)
 
 

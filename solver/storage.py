@@ -7,6 +7,7 @@ import os
 import platform
 import re
 import shutil
+import stat
 import uuid
 import zlib
 from collections.abc import Iterable
@@ -20,12 +21,17 @@ _BINARY = getattr(os, "O_BINARY", 0)  # Windows would translate line ends
 
 def read_bytes(path: str | os.PathLike[str]) -> bytes:
     """Everything in the file. Raises FileError, in one line, where it cannot be read."""
-    if os.path.isdir(path):
-        raise FileError(f"{path}: is a folder, expected a file")
     try:
-        return Path(path).read_bytes()
+        # Before it is opened: a pipe waits for its other end, and a device may have no end.
+        kind = os.stat(path).st_mode
+        if stat.S_ISREG(kind):
+            return Path(path).read_bytes()
     except (OSError, ValueError) as error:
         raise FileError(f"{path}: cannot be read: {_reason(error)}") from error
+    except MemoryError as error:
+        raise FileError(f"{path}: cannot be read: it is larger than the memory") from error
+    what = "a folder" if stat.S_ISDIR(kind) else "a pipe or a device"
+    raise FileError(f"{path}: is {what}, expected a file")
 
 
 def write_atomically(

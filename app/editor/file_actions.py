@@ -31,7 +31,9 @@ from app.worker.errand import Snapshot
 from app.workspace.tasks import Steps
 from app.workspace.workspace import Workspace
 from solver import load_mesh
+from solver.mesh.mesh import Mesh
 from solver.mesh.progress import Progress
+from solver.mesh.sizes import check_sizes
 
 
 def open_mesh(work: Workspace, command: c.OpenMesh) -> None:
@@ -92,12 +94,19 @@ def load_document(
     """
     if session is None:
         assert mesh is not None
-        document = Document(load_mesh(mesh, progress), mesh)
+        document = Document(usable_mesh(mesh, progress), mesh)
         document.change("rigid", affordable_level(len(document.role)))
         return document
     described = read_session(session)
     path = mesh or described.mesh_path
-    return on_mesh(described, load_mesh(path, progress), path, carry)
+    return on_mesh(described, usable_mesh(path, progress), path, carry)
+
+
+def usable_mesh(path: Path, progress: Progress | None = None) -> Mesh:
+    """A mesh that can be deformed. Raises FileError or MeshError, see load_mesh."""
+    mesh = load_mesh(path, progress)
+    check_sizes(mesh.vertices, mesh.faces, str(path))
+    return mesh
 
 
 def open_command(path: Path) -> c.OpenMesh | c.OpenSession:

@@ -6,6 +6,7 @@ hold is a line in SESSION, one in `to_document` and one in `write_session`.
 
 from __future__ import annotations
 
+import itertools
 import json
 import os
 from collections.abc import Iterator, Mapping
@@ -18,6 +19,7 @@ from app.model import schema
 from app.model.document import Document
 from app.model.handles import FIXED, FREE, NO_TURN, Handle
 from app.model.json_pieces import json_pieces
+from app.model.reach import Reach
 from app.model.schema import SessionError
 from app.model.session_mesh import MESH, PLACES, written_mesh, written_places
 from app.model.session_poses import (
@@ -30,17 +32,21 @@ from app.model.session_poses import (
 )
 from app.model.settings import SETTINGS
 from app.model.unsaved import UNSAVED
+from solver.errors import SolverError
 from solver.mesh.mesh import Mesh
+from solver.mesh.sizes import check_sizes
 from solver.softness.material import PRESETS, Material
 from solver.storage import read_bytes, write_atomically
 
 FORMAT = "surface-deformation-session"
 VERSION = 1
+# Each takes four columns of the basis; more than some hundred fit into no memory.
+MOST_HANDLES = 2000
 
 
 def _material(value: Any, where: str) -> str | Material:
     if isinstance(value, dict):
-        gains = {"bending": schema.positive, "stretching": schema.positive}
+        gains = {"bending": schema.gain, "stretching": schema.gain}
         return Material(**schema.fields(gains, required=("bending", "stretching"))(value, where))
     if not isinstance(value, str) or value not in PRESETS:
         raise schema.refuse(where, f"one of {', '.join(PRESETS)} or two gains", value)
@@ -62,8 +68,8 @@ SESSION = schema.fields(
         "mesh": MESH,
         "places": PLACES,
         "fixed": schema.list_of(schema.count),
-        "handles": schema.list_of(_HANDLE),
-        "pins": schema.list_of(_HANDLE),
+        "handles": schema.list_of(_HANDLE, MOST_HANDLES),
+        "pins": schema.list_of(_HANDLE, MOST_HANDLES),
         "rest": schema.list_of(schema.point),
         "poses": POSES,
         "softness": schema.list_of(schema.share),
@@ -109,9 +115,10 @@ def to_document(session: Session, mesh: Mesh, mesh_path: Path) -> Document:
                 _add_handle(document, entry, kind == "pins", f"{kind}[{number}]")
         _set_rest(document, data.get("rest"))
         document.change("poses", kept_poses(document, data.get("poses", [])))
+        _check_reach(document)
         _set_softness(document, data.get("softness"))
         _check_pieces(data.get("settings", {}).get("attach", True), mesh)
-    except SessionError as error:
+    except SolverError as error:
         raise SessionError(f"{session.path}: {error}") from error
     document.change("material", data.get("material", document.material))
     for name, value in data.get("settings", {}).items():
@@ -204,6 +211,20 @@ def _relative(mesh_path: Path, session_path: Path) -> str:
         return mesh.as_posix()
 
 
+def _check_reach(document: Document) -> None:
+    """Raises ConstraintError where a handle goes too far for the size of the mesh."""
+    reach, number = Reach(document), {False: itertools.count(), True: itertools.count()}
+    for handle in document.handles:
+        where = f"{'pins' if handle.pin else 'handles'}[{next(number[handle.pin])}].transform"
+        reach.check(document.pose.of(handle.key), where)
+    for place, kept in enumerate(document.poses):
+        for key, T in kept.pose.transforms.items():
+            found = document.find(key)
+            reach.check(
+                T, f"poses[{place}].transforms.{schema.escaped(found.name if found else '')}"
+            )
+
+
 def _check_counts(expected: dict[str, Any], mesh: Mesh) -> None:
     for name, found in (("vertices", len(mesh.vertices)), ("faces", len(mesh.faces))):
         if expected.get(name, found) != found:
@@ -243,7 +264,9 @@ def _set_rest(document: Document, rest: list[list[float]] | None) -> None:
     count = len(document.mesh.vertices)
     if len(rest) != count:
         raise SessionError(f"rest: expected {count} positions, one a vertex, got {len(rest)}")
-    document.change("rest", document.new_rest(np.array(rest, dtype=np.float64)))
+    positions = np.array(rest, dtype=np.float64)
+    check_sizes(positions, document.mesh.faces, "rest")
+    document.change("rest", document.new_rest(positions))
 
 
 def _set_softness(document: Document, softness: list[float] | None) -> None:

@@ -19,6 +19,9 @@ from solver.types import FloatArray
 # Radians by which a turn of a file may miss the rotation of its transform, as rounded numbers do.
 SAME_TURN = 1e-2
 
+# The panel lists them all.
+MOST_POSES = 10_000
+
 POSES = schema.list_of(
     schema.fields(
         {
@@ -27,7 +30,8 @@ POSES = schema.list_of(
             "turns": schema.named(schema.turn),
         },
         required=("name", "transforms"),
-    )
+    ),
+    MOST_POSES,
 )
 
 

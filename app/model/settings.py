@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any
 
+from solver.limits import HIGHEST_LEVEL, LONGEST_BEND, SHORTEST_BEND, within
+
 
 @dataclass(frozen=True)
 class Setting:
@@ -70,9 +72,17 @@ def coarse_count(value: bool | int, vertex_count: int) -> int | None:
 
 SETTINGS: Mapping[str, Setting] = MappingProxyType(
     {
-        "bending_length": Setting(0.01, lambda v: is_number(v) and v > 0, "a positive number"),
+        "bending_length": Setting(
+            0.01,
+            lambda v: is_number(v) and within(v, SHORTEST_BEND, LONGEST_BEND),
+            f"a number from {SHORTEST_BEND:g} to {LONGEST_BEND:g}",
+        ),
         "orientation": Setting(True, lambda v: isinstance(v, bool), "true or false"),
-        "rigid": Setting(1, lambda v: type(v) is int and v >= 0, "an integer, 0 or more"),
+        "rigid": Setting(
+            1,
+            lambda v: type(v) is int and 0 <= v <= HIGHEST_LEVEL,
+            f"an integer from 0 to {HIGHEST_LEVEL}",
+        ),
         "attach": Setting(
             True, is_attach, "true, false or a list of the pieces that follow", written=False
         ),

@@ -16,6 +16,7 @@ from app.live.live_surface import LiveSurface
 from app.model.document import Document, clock
 from app.model.handles import Handle, Pose
 from app.model.history import Gesture, History
+from app.model.reach import Reach
 from app.pointing.brush import Brush, Neighbours
 from app.pointing.picking import Hit, Picker
 from app.scene.looks import PLAIN, Looks
@@ -112,6 +113,7 @@ class Workspace:
         self.picker = Picker(mesh.vertices, mesh.faces)
         self._under: Latest[Hit | None] = Latest()
         self.seen_handles = SeenHandles()
+        self._reach: Latest[Reach] = Latest()
         self._centres: Latest[dict[int, FloatArray]] = Latest()
         self.limbs = PieceLimbs(mesh)
         self.last_input: Input | None = None
@@ -199,8 +201,19 @@ class Workspace:
         self._under = Latest()
 
     def mirrored(self, pose: Pose, keys: Collection[int]) -> Pose:
-        """The pose with what mirrors handles `keys` moved along, if there is a mirror."""
+        """The pose with what mirrors handles `keys`, which were moved, moved along.
+
+        Raises ConstraintError where one of them is too far, see Reach.
+        """
+        for key in keys:
+            handle = self.document.find(key)
+            self.reach.check(pose.of(key), handle.name if handle else "what is grabbed")
         return self.symmetry.followed(self.document, pose, keys) if self.symmetry else pose
+
+    @property
+    def reach(self) -> Reach:
+        """How far handles may go; found again for another rest shape."""
+        return self._reach(self.document.surface_number, lambda: Reach(self.document))
 
     @property
     def positions(self) -> FloatArray:

@@ -18,6 +18,8 @@ from solver.types import FloatArray, IntArray
 
 # Of averaging the weights: two take the coarse edges away, more only fill the matrix.
 SWEEPS = 2
+# Edges at a vertex: at poles of spheres there are some hundred.
+CROWDED = 500
 
 
 class Carrier:
@@ -86,7 +88,11 @@ class Carrier:
         ends = np.concatenate([edges, edges[:, ::-1]]).T
         around = sp.csr_array(sp.coo_array((np.ones(ends.shape[1]), tuple(ends)), shape=(n, n)))
         degree = np.maximum(around.sum(axis=1), 1.0)
-        average = 0.5 * sp.diags_array(1.0 / degree) @ around
+        # A vertex with very many neighbours keeps its own weights: through it all the others would
+        # get those of each other, and the matrix be full.
+        crowded = degree > CROWDED
+        share = np.where(crowded, 0.0, 1.0 / degree)
+        average = 0.5 * (sp.diags_array(share) @ around + sp.diags_array(1.0 * crowded))
         weights = self.interpolation
         for _ in range(SWEEPS):
             weights = 0.5 * weights + average @ weights

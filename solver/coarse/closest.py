@@ -12,6 +12,9 @@ from solver.types import BoolArray, FloatArray, IntArray
 
 # Going downhill from a vertex nearby, points arrive within a few steps.
 STEPS = 20
+# Triangles around a vertex that are looked at. Where thousands of points are near a vertex with
+# thousands of triangles, all of them would be pairs without number.
+MOST_AROUND = 64
 
 
 class NearbySurface:
@@ -25,8 +28,9 @@ class NearbySurface:
         self._vertices, self._faces = np.array(vertices), np.array(faces)
         corners = faces.ravel()
         self._around = np.argsort(corners, kind="stable") // 3
-        self._degree = np.bincount(corners, minlength=len(vertices))
-        self._first = np.cumsum(self._degree) - self._degree
+        degree = np.bincount(corners, minlength=len(vertices))
+        self._first = np.cumsum(degree) - degree
+        self._degree = np.minimum(degree, MOST_AROUND)
 
     @cached_property
     def _edge_keys(self) -> IntArray:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 
-from solver.factor import Analysis, Factor, analyse
+from solver.factor import Analysis, Factor, analyse, check_factor
 from solver.geometry.cotangent_weights import half_edge_cotangents, stretching_weights
 from solver.geometry.topology import HALF_EDGE_END, HALF_EDGE_START, half_edge_vectors
 from solver.linear.grab import Moments
@@ -74,7 +74,10 @@ class FinePoisson:
         w *= sigma[rest.topology.half_edge_edge[faces]]
         self._rows = self._stiffness(w)
         self._turning = self._coupling(w[:, :, None] * d)
-        self._factor = structure.factor(self._rows[:, structure.unknowns])
+        inner = self._rows[:, structure.unknowns]
+        self._factor = structure.factor(inner)
+        known = rest.points[structure.free].sum(axis=1)
+        check_factor(self._factor, known, inner @ known)
         self._conditions = Moments(C, self._factor.solve(C))
 
     def _stiffness(self, w: FloatArray) -> sp.csr_array:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solver.arrays import as_faces, as_vertices
+from solver.arrays import as_surface
 from solver.geometry.frames import triangle_frames, unit
 from solver.geometry.topology import FacePairs, Topology
 from solver.types import FloatArray
@@ -49,8 +49,7 @@ def fundamental_forms(V: ArrayLike, F: ArrayLike) -> FundamentalForms:
     >>> forms.edges[0].tolist(), np.degrees(forms.dihedral_angles[0]).round(9)
     ([0, 1], np.float64(90.0))
     """
-    V = as_vertices(V)
-    F = as_faces(F, len(V))
+    V, F = as_surface(V, F)
     topology = Topology(F, len(V))
     edges = topology.edges
     lengths = np.linalg.norm(V[edges[:, 1]] - V[edges[:, 0]], axis=1)

@@ -13,6 +13,7 @@ from solver.forms.fundamental_forms import FundamentalForms
 from solver.forms.residuals import reconstruction_residuals
 from solver.geometry.cotangent_weights import heron
 from solver.geometry.topology import Topology
+from solver.limits import LARGEST_COORDINATE, SMALLEST_SIZE
 from solver.types import FloatArray
 
 # Exact forms have zero energy whatever the weights. For forms that fit no surface this balances
@@ -50,6 +51,8 @@ def reconstruct(
     n = topology.vertex_count
     # Solved in units of the surface's size: positions and frames are then of one magnitude.
     size = np.sqrt(heron(forms.lengths[topology.half_edge_edge]).sum())
+    if not size > 0:
+        raise MeshError("the forms' triangles must have an area, got none")
     scaled = FundamentalForms(forms.edges, forms.lengths / size, forms.dihedral_angles)
     D, w = reconstruction_residuals(topology, scaled, BENDING_LENGTH)
     seeds = np.array([faces[seed_face, 0], *(n + 3 * seed_face + np.arange(3))])
@@ -86,6 +89,13 @@ def _check(topology: Topology, forms: FundamentalForms, seed_face: int) -> None:
         shape = np.shape(getattr(forms, name))
         if shape != (len(topology.edges),):
             raise MeshError(f"the forms' {name} must be ({len(topology.edges)},), got {shape}")
+    lengths = np.asarray(forms.lengths, dtype=np.float64)
+    longest = lengths.max(initial=0.0)
+    if not (lengths >= 0).all() or not SMALLEST_SIZE <= longest <= LARGEST_COORDINATE:
+        raise MeshError(
+            f"the forms' lengths must be positive, the longest from {SMALLEST_SIZE:.0e} to "
+            f"{LARGEST_COORDINATE:.0e}, got {lengths.min(initial=0.0):.3g} to {longest:.3g}"
+        )
     if not 0 <= seed_face < len(topology.faces):
         raise MeshError(f"seed_face must be 0 to {len(topology.faces) - 1}, got {seed_face}")
     pieces = topology.face_component.max() + 1

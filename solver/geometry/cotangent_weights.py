@@ -82,7 +82,7 @@ class ElementWeights:
 
     stretching: (m, 3) w_eT of each half-edge, times sigma_e.
     bending: (q,) w_e^-1 of each of the topology's links, times beta_e and l^2; divided by k - 1
-        on an edge with k triangles.
+        on an edge with k triangles, see FacePairs.partners.
     """
 
     stretching: FloatArray
@@ -94,4 +94,4 @@ def rest_weights(half_edge_lengths: FloatArray, pairs: FacePairs) -> ElementWeig
     cotangents = half_edge_cotangents(half_edge_lengths)
     first, second = (pairs.first, pairs.half_first), (pairs.second, pairs.half_second)
     w = bending_weights(cotangents, first, second)
-    return ElementWeights(stretching_weights(cotangents), 1.0 / (w * (pairs.valence - 1)))
+    return ElementWeights(stretching_weights(cotangents), 1.0 / (w * pairs.partners))

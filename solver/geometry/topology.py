@@ -17,17 +17,22 @@ from solver.types import BoolArray, FloatArray, IntArray
 
 HALF_EDGE_START = np.array([1, 2, 0])
 HALF_EDGE_END = np.array([2, 0, 1])
+# Pairs grow with the square of the triangles at an edge. Above so many each is paired with the
+# first alone, as a spoke with its hub: all still turn together, and the factor stays sparse.
+CROWDED = 16
 
 
 @dataclass(frozen=True)
 class FacePairs:
     """Neighbouring triangles, one row for each two triangles that share an edge.
 
-    An edge with k > 2 triangles appears once for every two of them.
+    An edge with k > 2 triangles appears once for every two of them; above CROWDED only with its
+    first and each other one.
 
     first, second: (p,) the triangles, first < second.
     half_first, half_second: (p,) which half-edge (0, 1, 2) of each lies on the shared edge.
     edge: (p,) the shared edge.  valence: (p,) how many triangles that edge has.
+    partners: (p,) with how many others each of them is paired, in the mean: k - 1, or 2 - 2/k.
     """
 
     first: IntArray
@@ -36,11 +41,12 @@ class FacePairs:
     half_second: IntArray
     edge: IntArray
     valence: IntArray
+    partners: FloatArray
 
     def where(self, keep: BoolArray) -> FacePairs:
         """The rows of `keep`, (p,)."""
         ends = self.first[keep], self.second[keep], self.half_first[keep], self.half_second[keep]
-        return FacePairs(*ends, self.edge[keep], self.valence[keep])
+        return FacePairs(*ends, self.edge[keep], self.valence[keep], self.partners[keep])
 
 
 class Topology:
@@ -67,21 +73,26 @@ class Topology:
 
     @cached_property
     def pairs(self) -> FacePairs:
-        """Every two triangles that share an edge."""
+        """Every two triangles that share an edge; see FacePairs."""
         edge_of = self.half_edge_edge.ravel()
         order = np.argsort(edge_of, kind="stable")  # stable: lower triangles come first
         sorted_edges = edge_of[order]
-        left, right = [], []
-        for step in range(1, int(self.valence.max(initial=1))):
-            at = np.flatnonzero(sorted_edges[:-step] == sorted_edges[step:])
+        crowded = self.valence[sorted_edges] > CROWDED
+        places = np.flatnonzero(crowded)
+        first = np.searchsorted(sorted_edges, sorted_edges[places])
+        left, right = [order[first[first < places]]], [order[places[first < places]]]
+        for step in range(1, min(int(self.valence.max(initial=1)), CROWDED)):
+            same = (sorted_edges[:-step] == sorted_edges[step:]) & ~crowded[step:]
+            at = np.flatnonzero(same)
             left.append(order[at])
             right.append(order[at + step])
-        one = np.concatenate([*left, np.empty(0, dtype=np.int64)])
-        two = np.concatenate([*right, np.empty(0, dtype=np.int64)])
+        one, two = np.concatenate(left), np.concatenate(right)
         distinct = one // 3 != two // 3  # a triangle with a repeated vertex meets itself
         one, two = one[distinct], two[distinct]
         edge = edge_of[one]
-        return FacePairs(one // 3, two // 3, one % 3, two % 3, edge, self.valence[edge])
+        k = self.valence[edge]
+        partners = np.where(k > CROWDED, 2.0 - 2.0 / k, k - 1.0)
+        return FacePairs(one // 3, two // 3, one % 3, two % 3, edge, k, partners)
 
     @cached_property
     def manifold_pairs(self) -> FacePairs:

@@ -30,7 +30,9 @@ class Binding:
 
 
 def bind(rest: RestSurface, setup: Setup, earlier: Binding | None = None) -> Binding:
-    """Assemble, factorise and find the basis. Raises ConstraintError or MaterialError.
+    """Assemble, factorise and find the basis.
+
+    Raises ConstraintError, MaterialError, or FactorizationError where rounding spoils the result.
 
     earlier: a binding of the same rest surface; what has not changed since then is shared.
     """
@@ -44,6 +46,7 @@ def bind(rest: RestSurface, setup: Setup, earlier: Binding | None = None) -> Bin
         constraints = build_constraints(rest, setup)
         structure = Structure(rest, constraints)
     system = System(rest, structure, rest.energy.weights(length, gains), length)
+    system.check()
     hard = hard_response(rest, constraints, system)
     return Binding(rest, setup, length, constraints, structure, system, hard)
 

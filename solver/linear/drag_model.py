@@ -12,6 +12,7 @@ from solver.arrays import as_floats
 from solver.errors import ConstraintError
 from solver.linear.best_place import best_shifts
 from solver.linear.best_rotation import NEGLIGIBLE, best_rotation
+from solver.linear.reach import check_map, check_points, shift_of
 from solver.types import FloatArray, IntArray
 
 # One (4, 4) for each handle: a list, or an array (h, 4, 4).
@@ -91,7 +92,10 @@ class DragModel:
         if not 0 <= handle < self.handle_count:
             raise ConstraintError(f"handle must be 0 to {self.handle_count - 1}, got {handle}")
         steps = self.steps(transforms)
-        p, q = _as_point(grabbed, "grabbed"), _as_point(target, "target")
+        p, q = (
+            _as_point(point, what, self.centre, self.scale)
+            for point, what in ((grabbed, "grabbed"), (target, "target"))
+        )
         R = best_rotation(
             self.form,
             handle,
@@ -139,10 +143,11 @@ class DragModel:
                 raise ConstraintError(
                     f"transform {number} must be (4, 4) with last row 0 0 0 1, got {T.tolist()}"
                 )
-            A, t = T[:3, :3], T[:3, 3]
+            A = T[:3, :3]
             own = steps[4 * number : 4 * number + 4]
             own[:3] = A.T - np.eye(3)
-            own[3] = (A @ self.centre + t - self.centre) / self.scale
+            own[3] = shift_of(T, self.centre, self.scale)
+            check_map(A, own[3], f"transform {number}")
         return steps
 
     def _displaced(self, X: FloatArray, steps: FloatArray) -> FloatArray:
@@ -153,8 +158,9 @@ class DragModel:
         return X
 
 
-def _as_point(point: ArrayLike, what: str) -> FloatArray:
+def _as_point(point: ArrayLike, what: str, centre: FloatArray, scale: float) -> FloatArray:
     array = as_floats(point, what, ConstraintError)
     if array.shape != (3,):
         raise ConstraintError(f"{what} must be (3,), got {array.shape}")
+    check_points(array, centre, scale, what)
     return array

@@ -16,6 +16,8 @@ from solver.types import FloatArray, IntArray
 
 # A region thinner than this share of its extent has no say on the direction it is thin in.
 THIN = 1e-3
+# Smaller shares of the largest weight are none: their moments would be rounding.
+LEAST = 1e-12
 
 
 class Moments:
@@ -93,8 +95,9 @@ def as_grab_weights(weights: ArrayLike, vertex_count: int) -> FloatArray:
 
 
 def relative(weights: FloatArray) -> FloatArray:
-    """Weights (n,) as shares of the largest; zero where all are."""
-    return np.asarray(weights / max(weights.max(), np.finfo(float).tiny))
+    """Weights (n,) as shares of the largest; zero where all are, and below LEAST."""
+    shares = weights / max(weights.max(), np.finfo(float).tiny)
+    return np.where(shares < LEAST, 0.0, shares)
 
 
 def _moments(

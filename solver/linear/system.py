@@ -6,7 +6,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from solver.arrays import Array
-from solver.factor import Analysis, Factor, analyse
+from solver.factor import Analysis, Factor, analyse, check_factor
 from solver.geometry.cotangent_weights import ElementWeights
 from solver.linear.assembly import Pattern, symmetric
 from solver.linear.constraints import Constraints
@@ -14,6 +14,9 @@ from solver.linear.joints import Joints
 from solver.linear.rest_surface import RestSurface
 from solver.setup import FIXED
 from solver.types import BoolArray, FloatArray, IntArray
+
+# A motion (4,) along one line that stretches and moves all: what `System.check` tries.
+PROBE = np.array([0.5, -0.4, 0.3, 0.2])
 
 
 class Structure:
@@ -36,6 +39,8 @@ class Structure:
         number[self.free] = np.arange(len(self.free))
         rows, columns = number[self.rows], number[self.columns]
         self.inner = np.flatnonzero((rows >= 0) & (columns >= 0))
+        #: Those between what is solved for and what is held.
+        self.border = np.flatnonzero((rows >= 0) != (columns >= 0))
         moved = constraints.row_group > FIXED
         self.outer = np.flatnonzero(moved[self.rows] | moved[self.columns])
         order = rest.elimination_order
@@ -78,6 +83,19 @@ class System:
         U = U.copy()
         U[self.free] = -self.factor.solve((self.coupling @ U)[self.free])
         return U
+
+    def check(self) -> None:
+        """Raises FactorizationError where rounding spoils what the factor solves.
+
+        Where all that is held moves by an affine map J T, everything does: K J = 0. What becomes of
+        a motion of the whole surface tells.
+        """
+        known, border = self._rest.affine_rows @ PROBE, self._structure.border
+        rows, columns = self._structure.rows[border], self._structure.columns[border]
+        rows, columns = np.concatenate([rows, columns]), np.concatenate([columns, rows])
+        pull: FloatArray = np.zeros(len(known))
+        np.add.at(pull, rows, np.tile(self._values[border], 2) * known[columns])
+        check_factor(self.factor, known[self.free], -pull[self.free])
 
     def matrix(self) -> sp.csr_array:
         """K (n + 3m, n + 3m), without what lies between rows that cannot move."""

@@ -16,7 +16,7 @@ def clip_ears(P: FloatArray) -> IntArray:
     every polygon is split.
     """
     g, k = P.shape[:2]
-    ring = _Ring(_flatten(P))
+    ring = _Ring(flatten(P))
     cost = np.stack([ring.cost(np.full(g, i)) for i in range(k)], axis=1)
     rows = np.arange(g)
     result = np.empty((g, k - 2, 3), dtype=np.int64)
@@ -33,7 +33,7 @@ def clip_ears(P: FloatArray) -> IntArray:
     return result
 
 
-def _flatten(P: FloatArray) -> FloatArray:
+def flatten(P: FloatArray) -> FloatArray:
     """(g, k, 2) coordinates in the Newell plane, counter-clockwise, of size about 1."""
     P = P - P.mean(axis=1, keepdims=True)
     scale = np.abs(P).max(axis=(1, 2), keepdims=True)

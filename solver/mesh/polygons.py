@@ -6,8 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from solver.mesh.ear_clipping import clip_ears
+from solver.mesh.ear_clipping import clip_ears, flatten
+from solver.mesh.ear_cutting import cut_ears
 from solver.types import BoolArray, FloatArray, IntArray
+
+# Clipping ears takes the square of the corners: a second for a thousand polygons of so many. Above,
+# an algorithm takes over that sorts them, and cares less for the shape of the triangles.
+MANY = 100
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +55,8 @@ def triangulate(V: FloatArray, polygons: Polygons) -> IntArray:
 
     A polygon of k corners gives k - 2 triangles, next to each other, in the order of the polygons.
     Quads are split along the diagonal that keeps both triangles facing the same way (the shorter
-    one where both do), larger polygons by clipping ears in the plane of their Newell normal.
+    one where both do), larger polygons by clipping ears in the plane of their Newell normal, those
+    of more than MANY corners by cutting them as they come.
     """
     counts = polygons.sizes - 2
     first = np.cumsum(counts) - counts
@@ -68,7 +74,11 @@ def _split(P: FloatArray) -> IntArray:
     """(g, k, 3) corners of g polygons -> (g, k-2, 3) corner numbers in 0..k-1."""
     if P.shape[1] == 3:
         return np.tile(np.arange(3), (len(P), 1, 1))
-    return _split_quads(P) if P.shape[1] == 4 else clip_ears(P)
+    if P.shape[1] == 4:
+        return _split_quads(P)
+    if P.shape[1] <= MANY:
+        return clip_ears(P)
+    return np.stack([cut_ears(p) for p in flatten(P)])
 
 
 def _split_quads(P: FloatArray) -> IntArray:

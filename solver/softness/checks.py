@@ -8,7 +8,7 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import ArrayLike
 
-from solver.arrays import as_faces, as_floats, as_vertices
+from solver.arrays import as_floats, as_surface
 from solver.errors import MaterialError
 from solver.factor import factorize
 from solver.geometry.laplacian import cotangent_laplacian
@@ -75,8 +75,7 @@ def smooth_softness(V: ArrayLike, F: ArrayLike, softness: ArrayLike) -> FloatArr
     one. Seams are welded. Vertices of softness 0 that would get almost none keep 0.
     Raises MeshError, or MaterialError unless softness is (n,) in [0, 1].
     """
-    V = as_vertices(V)
-    F = as_faces(F, len(V))
+    V, F = as_surface(V, F)
     before = as_floats(softness, "softness", MaterialError)
     if before.shape != (len(V),):
         raise MaterialError(f"softness must be ({len(V)},), got {before.shape}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solver.arrays import as_faces, as_floats, as_indices, as_vertices, check_unit_interval
+from solver.arrays import as_floats, as_indices, as_surface, check_unit_interval
 from solver.errors import MaterialError
 from solver.factor import factorize
 from solver.geometry.laplacian import cotangent_laplacian
@@ -31,8 +31,7 @@ def interpolate_softness(
     >>> s.round(3)  # half-way between the rigid and the soft end
     array([0. , 0.5, 1. , 0. , 0.5, 1. ])
     """
-    V = as_vertices(V)
-    F = as_faces(F, len(V))
+    V, F = as_surface(V, F)
     painted = as_indices(indices, len(V), "indices")
     values = as_floats(values, "values", MaterialError)
     if values.shape != painted.shape:

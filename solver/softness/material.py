@@ -10,7 +10,10 @@ from numpy.typing import ArrayLike
 from solver.arrays import as_floats, check_unit_interval, locked
 from solver.errors import MaterialError
 from solver.geometry.topology import Topology
+from solver.limits import LARGEST_GAIN, SMALLEST_GAIN, within
 from solver.types import FloatArray, IntArray
+
+GAINS = f"from {SMALLEST_GAIN:g} to {LARGEST_GAIN:g}"
 
 
 @dataclass(frozen=True)
@@ -18,7 +21,7 @@ class Material:
     """Gains of a fully soft edge: E_f is multiplied by `bending`, E_x by `stretching`.
 
     An edge of softness s takes bending**s and stretching**s, so that rigid parts keep gain 1.
-    Raises MaterialError unless both are positive and finite.
+    Raises MaterialError unless both lie from 1e-6 to 1e6.
 
     >>> import solver
     >>> hinge = solver.Material(bending=0.1, stretching=1.0)
@@ -34,8 +37,8 @@ class Material:
             gain = getattr(self, name)
             if isinstance(gain, bool) or not isinstance(gain, int | float | np.number):
                 raise MaterialError(f"material's {name} gain must be a number, got {gain!r}")
-            if not (np.isfinite(gain) and gain > 0):
-                raise MaterialError(f"material's {name} gain must be positive, got {gain}")
+            if not within(gain, SMALLEST_GAIN, LARGEST_GAIN):
+                raise MaterialError(f"material's {name} gain must be {GAINS}, got {gain}")
 
 
 PRESETS: dict[str, Material] = {
@@ -79,7 +82,7 @@ def softness_gains(
 def as_edge_gains(edge_gains: tuple[ArrayLike, ArrayLike, ArrayLike]) -> EdgeGains:
     """Read-only copies of (edges (k, 2), bending (k,), stretching (k,)).
 
-    Raises MaterialError for another shape, or a gain that is not positive.
+    Raises MaterialError for another shape, or a gain out of bounds.
     """
     if len(edge_gains) != 3:
         raise MaterialError(
@@ -97,8 +100,9 @@ def as_edge_gains(edge_gains: tuple[ArrayLike, ArrayLike, ArrayLike]) -> EdgeGai
     for name, values in (("bending", bending), ("stretching", stretching)):
         if values.shape != (len(edges),):
             raise MaterialError(f"edge_gains' {name} must be ({len(edges)},), got {values.shape}")
-        if (values <= 0).any():
-            raise MaterialError(f"edge_gains' {name} must be positive, got {values.min()}")
+        outside = (values < SMALLEST_GAIN) | (values > LARGEST_GAIN)
+        if outside.any():
+            raise MaterialError(f"edge_gains' {name} must be {GAINS}, got {values[outside][0]}")
     return locked(edges.astype(np.int64)), locked(bending), locked(stretching)
 
 

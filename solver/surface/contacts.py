@@ -136,7 +136,8 @@ def _terms(pieces: _Pieces, pair: _Near, own_face: IntArray, area: FloatArray) -
     """The terms of one pair: one vertex a cell, with the weight of all that lie in it."""
     P = pieces.P
     away = (pair.distance - pair.distance.min()) / FALLOFF
-    weight = area[pair.vertex] * np.exp(-(away**2)) / FALLOFF**2
+    # A piece that is collapsed has no area, and is attached all the same.
+    weight = np.maximum(area[pair.vertex], 1e-30) * np.exp(-(away**2)) / FALLOFF**2
     cells = np.floor(P[pair.vertex] / CELL).astype(np.int64)
     order = np.lexsort((-weight, *cells.T))  # the heaviest of each cell comes first
     first = np.concatenate([[True], (np.diff(cells[order], axis=0) != 0).any(axis=1)])

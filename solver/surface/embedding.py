@@ -13,7 +13,7 @@ from typing import Protocol
 
 from numpy.typing import ArrayLike
 
-from solver.arrays import as_faces, as_vertices
+from solver.arrays import as_surface
 from solver.geometry.topology import Topology
 from solver.geometry.welding import weld
 from solver.setup import Setup
@@ -79,8 +79,8 @@ class Identity:
 
 def embed(V: ArrayLike, F: ArrayLike) -> Embedding:
     """The embedding of a mesh (n, 3), (m, 3): its seams are welded. Raises MeshError."""
-    vertices = as_vertices(V)
-    topology = Topology(as_faces(F, len(vertices)), len(vertices))
+    vertices, faces = as_surface(V, F)
+    topology = Topology(faces, len(vertices))
     welded = weld(vertices, topology)
     if int(welded.max()) + 1 == len(vertices):
         return Identity(vertices, topology)

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
 from typing import Any
 
+import pytest
+
+from app.__main__ import main
 from solver.geometry.motions import motion, rotation
 from solver.types import FloatArray
 from tests.app.person import slab
@@ -36,6 +40,20 @@ def run(*words: str | Path, code: str = "") -> subprocess.CompletedProcess[str]:
         check=False,
         timeout=120,
     )
+
+
+def refused(capsys: pytest.CaptureFixture[str], *words: str) -> str:
+    """The one line on stderr of a command that ends with exit code 2."""
+    code: object
+    try:
+        code = main(words)
+    except SystemExit as end:
+        code = end.code
+    output = capsys.readouterr()
+    assert code == 2
+    assert output.out == ""
+    assert re.fullmatch(r"python -m app[^\n]*: [^\n]+\n", output.err), output.err
+    return output.err
 
 
 def write_bar() -> None:

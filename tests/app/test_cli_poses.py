@@ -13,8 +13,7 @@ from app.__main__ import main
 from solver import Deformer, load_mesh
 from solver.geometry.motions import motion, rotation
 from solver.types import FloatArray
-from tests.app.command import FIXED, HANDLE, session, turn, write_bar
-from tests.app.test_refusals import refused
+from tests.app.command import FIXED, HANDLE, refused, session, turn, write_bar
 
 FIST = motion(rotation([0, 1, 0], 40), [1.0, 0, 3])
 OPEN = motion(rotation([1, 0, 0], 60), [2.0, 0, 0])

@@ -9,8 +9,7 @@ from typing import Any
 
 import pytest
 
-from app.__main__ import main
-from tests.app.command import HANDLE, WITHOUT_GRAPHICS, run, session, write, write_bar
+from tests.app.command import HANDLE, WITHOUT_GRAPHICS, refused, run, session, write, write_bar
 
 
 @pytest.fixture(autouse=True)
@@ -19,20 +18,6 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     write_bar()
     return tmp_path
-
-
-def refused(capsys: pytest.CaptureFixture[str], *words: str) -> str:
-    """The one line on stderr of a command that ends with exit code 2."""
-    code: object
-    try:
-        code = main(words)
-    except SystemExit as end:
-        code = end.code
-    output = capsys.readouterr()
-    assert code == 2
-    assert output.out == ""
-    assert re.fullmatch(r"python -m app[^\n]*: [^\n]+\n", output.err), output.err
-    return output.err
 
 
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
@@ -80,7 +65,10 @@ BAD_SESSIONS = {
     "softness": ({"softness": [0.5]}, "softness: expected 210 numbers"),
     "share": ({"softness": [1.5] * 210}, r"softness\[0\]: expected a number from 0 to 1, got 1.5"),
     "material": ({"material": "jelly"}, 'material: expected one of .*hinge.* got "jelly"'),
-    "rigid": ({"settings": {"rigid": -1}}, "settings.rigid: expected an integer, 0 or more"),
+    "rigid": (
+        {"settings": {"rigid": -1}},
+        "settings.rigid: expected an integer from 0 to 1000",
+    ),
     "unknown key": ({"colour": "red"}, "colour: unknown key, expected one of format"),
     "unknown setting": ({"settings": {"speed": 1}}, "settings.speed: unknown key"),
     "version": ({"version": 2}, "version: expected 1, got 2"),
@@ -130,8 +118,13 @@ DEFORM = ("deform", "bar.obj", "--session", "bar.json")
         ((*DEFORM, "-o", "bar.json/out.obj"), "out.obj: cannot be written"),
         ((*DEFORM, "-o", "."), "expected|cannot be written"),
         ((*DEFORM, "-o", "out.fbx"), r"out.fbx.*\.obj"),
-        ((*DEFORM, "-o", "out.obj", "--rigid", "two"), "--rigid.* integer of 0 or more, got 'two'"),
+        (
+            (*DEFORM, "-o", "out.obj", "--rigid", "two"),
+            "--rigid.* from 0 to 1000, got 'two'",
+        ),
         ((*DEFORM, "-o", "out.obj", "--rigid", "-1"), "--rigid"),
+        ((*DEFORM, "-o", "out.obj", "--rigid", "1001"), "--rigid.* from 0 to 1000, got '1001'"),
+        ((*DEFORM, "-o", "out.obj", "--rigid", "9" * 5000), "--rigid.* from 0 to 1000, got '99"),
         ((*DEFORM, "-o", "out.obj", "--fast"), "unrecognized arguments: --fast"),
         (("deform",), "required: MESH, --session, -o"),
         (DEFORM, "required: -o"),

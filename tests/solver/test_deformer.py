@@ -194,9 +194,9 @@ def test_everything_in_handles_leaves_nothing_to_solve() -> None:
         ([2 * np.eye(4), np.eye(4)], 0, "transform 0 must be (4, 4) with last row 0 0 0 1"),
         ([np.full((4, 4), np.nan), np.eye(4)], 0, "transform 0 must be finite"),
         ([np.eye(4), "T"], 0, "transform 1 must be numbers"),
-        ([np.eye(4)] * 2, -1, "rigid must be an integer of 0 or more, got -1"),
-        ([np.eye(4)] * 2, 0.5, "rigid must be an integer of 0 or more, got 0.5"),
-        ([np.eye(4)] * 2, True, "rigid must be an integer of 0 or more, got True"),
+        ([np.eye(4)] * 2, -1, "rigid must be an integer from 0 to 1000, got -1"),
+        ([np.eye(4)] * 2, 0.5, "rigid must be an integer from 0 to 1000, got 0.5"),
+        ([np.eye(4)] * 2, True, "rigid must be an integer from 0 to 1000, got True"),
     ],
 )
 def test_refuses_poses_that_make_no_sense(transforms: Any, rigid: Any, text: str) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from solver import Deformer, fundamental_forms, interpolate_softness
+from solver import ConstraintError, Deformer, fundamental_forms, interpolate_softness
 from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import motion, moved, rotation
 from solver.types import FloatArray, IntArray
@@ -163,3 +163,27 @@ def test_a_stray_vertex_changes_nothing(rigid: int, coarse: int | None) -> None:
     )
     np.testing.assert_allclose(X[:-1], expected, atol=1e-12 * diagonal(BUMPS))
     np.testing.assert_array_equal(X[-1], stray[-1])
+
+
+@pytest.mark.parametrize("coarse", [None, 60])
+def test_a_collapsed_piece_is_attached_to_what_it_lies_on(coarse: int | None) -> None:
+    point = np.repeat(BUMPS[[50]] + [0, 0, 0.1], 3, axis=0)
+    points, faces = np.vstack([BUMPS, point]), np.vstack([F, [[144, 145, 146]]])
+    T = motion(rotation([0, 1, 0], 40), [0, 1, 2])
+    X = Deformer(points, faces, handles=[np.arange(144)], coarse=coarse).pose([T], 1)
+    np.testing.assert_allclose(X, moved(T, points), atol=1e-6)
+
+
+@pytest.mark.parametrize("coarse", [None, 60])
+def test_grab_weights_may_be_of_any_size(coarse: int | None) -> None:
+    weights = np.exp(-((BUMPS - BUMPS[66]) ** 2).sum(axis=1))
+    deformer = Deformer(BUMPS, F, LEFT, [RIGHT], coarse=coarse)
+    T = [np.eye(4), motion(np.eye(3), [0, 0, 1])]
+    expected = deformer.grab(weights).pose(T)
+    for factor in (1e-200, 1e200):
+        X = deformer.grab(factor * weights).pose(T)
+        np.testing.assert_allclose(X, expected, atol=1e-9)
+    held = np.full(len(BUMPS), 1e-308)
+    held[LEFT] = 1.0  # these do not count, and what is left is nothing beside them
+    with pytest.raises(ConstraintError, match="no vertex that is free to move"):
+        deformer.grab(held).pose(T)

@@ -16,6 +16,7 @@ from app.model.rest import RestShape, affine_fit, composed, flattens, seen_from
 from app.worker.errand import Snapshot
 from app.workspace.tasks import Steps
 from app.workspace.workspace import Workspace
+from solver.mesh.sizes import check_sizes
 
 
 def make_rest(work: Workspace, command: c.MakeRest) -> None:
@@ -39,6 +40,7 @@ def _make_rest(
         yield None
     if work.document is not document or document.rest_positions is not shape.bind.vertices:
         raise c.CommandError("the rest shape has changed meanwhile: none was made")
+    check_sizes(positions, document.mesh.faces, "the rest shape")
     rest = document.new_rest(positions)
     _set(work, "Make rest shape", rest, lambda other: seen_from(other, pose))
 
@@ -65,8 +67,10 @@ def _set(
     with work.edit(label) as gesture:
         gesture.change("rest", rest)
         gesture.change("pose", moved(document.pose))
-        poses = (replace(kept, pose=moved(kept.pose)) for kept in document.poses)
-        gesture.change("poses", tuple(poses))
+        poses = tuple(replace(kept, pose=moved(kept.pose)) for kept in document.poses)
+        gesture.change("poses", poses)
+        for pose in (document.pose, *(kept.pose for kept in poses)):
+            work.reach.check_pose(document, pose)
 
 
 REST_ACTIONS: Actions = {c.MakeRest: make_rest, c.RestoreRest: restore_rest}

@@ -6,6 +6,8 @@ from dataclasses import dataclass, replace
 
 from app.viewpoint.events import BACKSPACE
 
+LONGEST = 16  # digits and a point: more than a number of the machine tells apart
+
 
 @dataclass(frozen=True)
 class Number:
@@ -20,6 +22,8 @@ class Number:
             return replace(self, negative=not self.negative)
         if key == BACKSPACE:
             return replace(self, digits=self.digits[:-1]) if self.digits else Number()
+        if len(self.digits) >= LONGEST:
+            return self
         if key.isdecimal() or (key == "." and "." not in self.digits):
             return replace(self, digits=self.digits + key)
         return self

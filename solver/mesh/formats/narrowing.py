@@ -8,7 +8,10 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from solver.errors import MeshError
-from solver.types import FloatArray
+from solver.types import FloatArray, IntArray
+
+# Edges longer than this share of the diagonal must not vanish: shorter ones nobody sees.
+SEEN = 1e-6
 
 
 def widened(values: NDArray[Any]) -> FloatArray:
@@ -25,3 +28,21 @@ def narrowed(values: FloatArray, kind: DTypeLike) -> NDArray[Any]:
         largest = np.nanmax(np.abs(values))
         raise MeshError(f"coordinates up to {largest:.3g} do not fit {np.dtype(kind).name}")
     return data
+
+
+def check_distinct(X: FloatArray, stored: NDArray[Any], faces: IntArray, path: str) -> None:
+    """Raises MeshError where vertices of one triangle become one, far from the origin.
+
+    X: (n, 3) positions.  stored: (n, 3) the same as the file has them.  faces: (m, 3).
+    """
+    ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    same = ends[(stored[ends[:, 0]] == stored[ends[:, 1]]).all(axis=1)]
+    length = np.linalg.norm(X[same[:, 0]] - X[same[:, 1]], axis=1)
+    diagonal = np.linalg.norm(np.ptp(X[faces.ravel()], axis=0))
+    merged = np.unique(same[length > SEEN * diagonal])
+    if len(merged):
+        raise MeshError(
+            f"{path}: {len(merged)} vertices would become one with a neighbour in "
+            f"{stored.dtype.name}, so far from the origin; expected a format of more digits "
+            "(.obj, .off, .ply)"
+        )

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from solver.errors import MeshError
 from solver.mesh.formats.format import DeformedSurface, FileContent
-from solver.mesh.formats.narrowing import narrowed, widened
+from solver.mesh.formats.narrowing import check_distinct, narrowed, widened
 from solver.mesh.formats.stl_source import HEAD, RECORD, StlSource
 from solver.mesh.formats.text.file import TextFile, check_text
 from solver.mesh.formats.text.lines import Lines
@@ -37,13 +37,17 @@ def read_stl(data: bytes, name: str, progress: Progress = silent) -> FileContent
 def write_stl(surface: DeformedSurface) -> bytes:
     """The file that was read with new corners and normals, or a binary one of the triangles.
 
-    A binary file rounds to float32; MeshError for what is beyond.
+    A binary file rounds to float32. MeshError for what is beyond, and for vertices that would
+    become one.
     """
     if isinstance(surface.source, StlSource):
         return surface.source.rewritten(surface)
-    corners = surface.positions[surface.triangles]
+    X, triangles = surface.positions, surface.triangles
+    stored = narrowed(X, "<f4")
+    check_distinct(X, stored, triangles, surface.path)
+    corners = X[triangles]
     records = np.zeros(len(corners), dtype=RECORD)
-    records["corners"] = narrowed(corners, "<f4")
+    records["corners"] = stored[triangles]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normal, axis=1, keepdims=True)
     records["normal"] = normal / np.where(length > 0, length, 1)

@@ -9,7 +9,7 @@ import numpy as np
 
 from solver.mesh.formats.columns import turned_face_normals
 from solver.mesh.formats.format import DeformedSurface
-from solver.mesh.formats.narrowing import narrowed, widened
+from solver.mesh.formats.narrowing import check_distinct, narrowed, widened
 from solver.mesh.formats.text.file import TextFile
 from solver.mesh.formats.text.lines import Lines
 from solver.mesh.formats.text.points import read_any
@@ -44,8 +44,10 @@ class StlSource:
         end = HEAD + len(triangles) * RECORD.itemsize
         records = np.frombuffer(self.data[HEAD:end], RECORD).copy()
         normals, turned = turned_face_normals(surface, widened(records["normal"]))
-        moved = surface.moved[triangles]
-        records["corners"][moved] = narrowed(surface.positions[triangles[moved]], "<f4")
+        moved, stored = surface.moved[triangles], narrowed(surface.positions, "<f4")
+        if moved.any():
+            check_distinct(surface.positions, stored, triangles, surface.path)
+        records["corners"][moved] = stored[triangles[moved]]
         records["normal"][turned] = normals[turned]
         return self.data[:HEAD] + records.tobytes() + self.data[end:]
 

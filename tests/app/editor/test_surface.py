@@ -100,7 +100,8 @@ def test_versions_change_exactly_with_what_they_stand_for(ready: Person) -> None
 
 def test_a_failed_bind_is_a_message_and_the_last_one_stays(ready: Person, tmp_path: Path) -> None:
     bound = ready.editor.surface.bound
-    ready.do(c.SetSetting("bending_length", 1e300))
+    with ready.editor.edit("Wrong") as gesture:
+        gesture.change("softness", 2.0, np.array([0]))
     with pytest.raises(BindError, match="Binding failed"):
         ready.editor.settle()
     assert "Binding failed" in error_of(ready)

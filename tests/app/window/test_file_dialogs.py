@@ -140,7 +140,7 @@ def test_a_film_goes_where_a_dialog_says_and_its_suffix_tells_its_kind(
         assert clerk.asked[-1].kinds[0].suffixes == (".gif", ".mp4")
     for typed, path in (("a.gif", "a.gif"), ("a.mp4", "a.mp4"), ("a", "a.mp4")):
         clerk.path = tmp_path / typed
-        assert files.poll(person.editor) == TakeFilm(name, tmp_path / path, replace=True)
+        assert files.poll(person.editor) == TakeFilm(name, tmp_path / path, typed == path)
     (tmp_path / proposed).touch()
     files.act(name, person.editor)
     number = proposed.replace(".mp4", "-2.mp4")

@@ -170,10 +170,13 @@ def test_interpolation_refuses_what_is_no_mesh() -> None:
         ({"material": "jelly"}, "unknown material 'jelly', expected one of hinge, paper, clay"),
         ({"material": None}, "unknown material None"),
         ({"material": ["hinge"]}, "unknown material ['hinge']"),
-        ({"bending_length": 0}, "bending_length must be a positive number, got 0"),
-        ({"bending_length": np.inf}, "bending_length must be a positive number, got inf"),
-        ({"bending_length": [1]}, "bending_length must be a positive number, got [1]"),
-        ({"bending_length": "long"}, "bending_length must be a positive number, got 'long'"),
+        ({"bending_length": 0}, "bending_length must be a number from 1e-12 to 1000, got 0"),
+        ({"bending_length": np.inf}, "bending_length must be a number from 1e-12 to 1000, got inf"),
+        ({"bending_length": [1]}, "must be a number from 1e-12 to 1000, got [1]"),
+        (
+            {"bending_length": "long"},
+            "must be a number from 1e-12 to 1000, got 'long'",
+        ),
         (
             {"edge_gains": ([[0, 1]], [1.0])},
             "edge_gains must be (edges, bending, stretching), got 2",
@@ -181,7 +184,10 @@ def test_interpolation_refuses_what_is_no_mesh() -> None:
         ({"edge_gains": ([0, 1], [1.0], [1.0])}, "edges must be (k, 2) integers"),
         ({"edge_gains": ([[0.0, 1.0]], [1.0], [1.0])}, "edges must be (k, 2) integers"),
         ({"edge_gains": ([[0, 1]], [1.0, 2.0], [1.0])}, "bending must be (1,), got (2,)"),
-        ({"edge_gains": ([[0, 1]], [1.0], [0.0])}, "stretching must be positive, got 0.0"),
+        (
+            {"edge_gains": ([[0, 1]], [1.0], [0.0])},
+            "must be from 1e-06 to 1e+06, got 0.0",
+        ),
         ({"edge_gains": ([[0, 1]], [np.nan], [1.0])}, "bending must be finite"),
         ({"edge_gains": ([[0, 0]], [1.0], [1.0])}, "(0, 0), which is no edge of the mesh"),
         ({"edge_gains": ([[0, 4]], [1.0], [1.0])}, "(0, 4), which is no edge of the mesh"),
@@ -202,9 +208,9 @@ def test_a_deformer_refuses_a_material_that_makes_no_sense(
 @pytest.mark.parametrize(
     ("bending", "stretching", "text"),
     [
-        (0, 1, "bending gain must be positive, got 0"),
-        (1, -1, "stretching gain must be positive, got -1"),
-        (np.nan, 1, "bending gain must be positive, got nan"),
+        (0, 1, "bending gain must be from 1e-06 to 1e+06, got 0"),
+        (1, -1, "stretching gain must be from 1e-06 to 1e+06, got -1"),
+        (np.nan, 1, "bending gain must be from 1e-06 to 1e+06, got nan"),
         ("1", 1, "bending gain must be a number, got '1'"),
         (1, True, "stretching gain must be a number, got True"),
     ],

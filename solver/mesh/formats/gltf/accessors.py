@@ -25,6 +25,7 @@ FLOAT = 5126
 WIDTHS: Mapping[str, int] = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 # An accessor needs no data of its own, so a short file may ask for any amount of memory.
 MOST_ELEMENTS = 1 << 26
+MOST_WITHOUT_DATA = 1 << 23
 
 
 def read_floats(gltf: Gltf, number: int, kind: str) -> FloatArray:
@@ -68,6 +69,9 @@ def _read(gltf: Gltf, number: int, kind: str) -> NDArray[Any]:
     if "bufferView" in accessor:
         values = _window(gltf, accessor, accessor["bufferView"], where)
     else:
+        if accessor["count"] > MOST_WITHOUT_DATA:
+            expected = f"expected {MOST_WITHOUT_DATA} or less"
+            raise gltf.error(f"{where}: {accessor['count']} elements without data, {expected}")
         shape = (accessor["count"], WIDTHS[kind])
         values = np.zeros(shape, COMPONENTS[accessor["componentType"]])
     return _with_sparse(gltf, accessor, values, where) if "sparse" in accessor else values

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from solver.errors import MeshError
 from solver.mesh.formats.gltf.schema import Json, check_schema
 from solver.mesh.formats.gltf.uris import read_uri
+from solver.nesting import DEEPEST, is_deep
 
 Bytes = NDArray[np.uint8]
 MAGIC = b"glTF"
@@ -72,10 +73,13 @@ def open_gltf(data: bytes, name: str) -> Gltf:
 
 def _parsed(text: bytes, name: str) -> Any:
     try:
-        return json.loads(text.decode("utf-8-sig"))
+        root = json.loads(text.decode("utf-8-sig"))
     except (ValueError, RecursionError) as error:
         reason = str(error).splitlines()[0]
         raise MeshError(f"{name}: not a glTF file, its JSON cannot be read: {reason}") from error
+    if is_deep(root):
+        raise MeshError(f"{name}: its JSON is nested too deeply, expected {DEEPEST} levels or less")
+    return root
 
 
 def _chunks(data: bytes, name: str) -> tuple[bytes, Bytes | None, bytes]:

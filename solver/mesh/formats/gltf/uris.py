@@ -32,6 +32,8 @@ def read_uri(uri: str, folder: Path) -> bytes:
         if not path.is_file():
             raise ValueError(f"there is no file {uri[:200]!r} beside it")
         return path.read_bytes()
+    except MemoryError as error:
+        raise ValueError(f"{uri[:200]!r} is larger than the memory") from error
     except OSError as error:
         raise ValueError(f"{uri[:200]!r} cannot be read: {error.strerror}") from error
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import struct
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from solver.errors import MeshError
 from solver.mesh.mesh import Mesh, load_mesh
 from tests.solver.mesh.formats.files import check_damage, check_refusal, load, surface
 
@@ -64,3 +66,27 @@ def test_a_file_cut_or_damaged_anywhere_loads_or_gives_one_line(
     tmp_path: Path, whole: bytes
 ) -> None:
     check_damage(tmp_path / "a.stl", whole)
+
+
+def test_vertices_that_would_become_one_are_counted_and_refused(tmp_path: Path) -> None:
+    V, F = surface()
+    mesh = Mesh.from_arrays(V, F)
+    path = tmp_path / "out.stl"
+    mesh.save(path, 0.01 * V)
+    before = path.read_bytes()
+    with pytest.raises(MeshError) as caught:
+        mesh.save(path, 0.01 * V + 1e6)
+    assert re.fullmatch(
+        rf"{path}: {len(np.unique(F))} vertices would become one with a neighbour in float32, "
+        r"so far from the origin; expected a format of more digits \(\.obj, \.off, \.ply\)",
+        str(caught.value),
+    )
+    assert path.read_bytes() == before
+    mesh.save(path, 0.01 * V + 1e3)  # as coarse as the numbers are, but nothing vanishes
+
+
+def test_an_edge_that_nobody_sees_may_vanish(tmp_path: Path) -> None:
+    V = np.array([[0, 0, 0], [1, 0, 0], [1 + 1e-9, 0, 0], [0, 1, 0.0]])
+    mesh = Mesh.from_arrays(V, [[0, 1, 3], [1, 2, 3]])
+    mesh.save(tmp_path / "out.stl", V)
+    assert len(load_mesh(tmp_path / "out.stl").vertices) == 3

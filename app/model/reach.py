@@ -1,0 +1,28 @@
+"""How far handles may go: as far as the solver takes them, see solver.linear.reach."""
+
+from __future__ import annotations
+
+from app.model.document import Document
+from app.model.handles import Pose
+from solver.linear.reach import check_map, shift_of
+from solver.types import FloatArray
+
+
+class Reach:
+    """The size of a document's rest shape, and with it whether a transform is one of a pose."""
+
+    def __init__(self, document: Document) -> None:
+        used = document.rest_positions[document.mesh.faces.ravel()]
+        low, high = used.min(axis=0), used.max(axis=0)
+        self._centre: FloatArray = 0.5 * (low + high)
+        self._diagonal = float(((high - low) ** 2).sum() ** 0.5)
+
+    def check(self, T: FloatArray, what: str) -> None:
+        """Raises ConstraintError naming `what` where T (4, 4) stretches or goes too far."""
+        check_map(T[:3, :3], shift_of(T, self._centre, self._diagonal), what)
+
+    def check_pose(self, document: Document, pose: Pose) -> None:
+        """The same for all handles of a pose, by their names."""
+        for key, T in pose.transforms.items():
+            handle = document.find(key)
+            self.check(T, handle.name if handle else "what is grabbed")
