@@ -20,6 +20,7 @@ LAYERS = (
     "solver.linear",
     "solver.rigid",
     "solver.coarse",
+    "solver.learning",
     "solver.bound_surface",
     "solver.coarse_surface",
     "solver.deformer",
