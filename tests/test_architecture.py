@@ -35,7 +35,7 @@ LAYERS = (
     "app.tools",
     "app.editor app.dialogs",
     "app.window",
-    "app.headless app.figures app.demo",
+    "app.headless app.learning app.figures app.demo",
     "app.__main__",
 )
 LEVEL = {room: level for level, rooms in enumerate(LAYERS) for room in rooms.split()}

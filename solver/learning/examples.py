@@ -28,6 +28,8 @@ def as_poses(poses: Sequence[ArrayLike], V: FloatArray) -> list[FloatArray]:
             raise MeshError(
                 f"pose {number} must be {V.shape}, positions of the same vertices, got {X.shape}"
             )
+        if diagonal(X) == 0:
+            raise MeshError(f"pose {number} has no size, expected a shape of the mesh")
     return given
 
 

@@ -55,7 +55,8 @@ class MaterialSlope:
         by_edge += self._rates[1] * np.bincount(
             self._half_edge_edge.ravel(), stretching.ravel(), count
         )
-        return np.bincount(self._edges.ravel(), np.repeat(0.5 * by_edge, 2), self._size)
+        at_ends = np.repeat(0.5 * by_edge, 2)
+        return np.bincount(self._edges.ravel(), at_ends, self._size).astype(np.float64)
 
     def _bends(self, rows: FloatArray) -> FloatArray:
         """(p, 3, 3) the residuals R_j - R_i."""

@@ -20,7 +20,7 @@ from solver.geometry.procrustes import rigid_motion
 from solver.geometry.rotations import nearest_rotations
 from solver.learning.material_slope import MaterialSlope
 from solver.learning.sensitivity import Change, Sensitivity
-from solver.linear.constraints import Constraints, build_constraints
+from solver.linear.constraints import build_constraints
 from solver.linear.rest_surface import RestSurface
 from solver.linear.system import Structure, System
 from solver.rigid.levels import RigidLevels, RigidPose
@@ -30,7 +30,7 @@ from solver.softness.material import softness_gains
 from solver.types import FloatArray
 
 # Of how far rotations are from the pose's, in radians, against positions in diagonals.
-FRAMES = 2e-3
+FRAMES = 1e-2
 # Of the prior: how smooth, and how small where examples say nothing. docs/animals.md has what
 # other weights find.
 SMOOTH, SMALL = 3e-7, 1e-2

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+import scipy.sparse as sp
 from numpy.typing import ArrayLike
+from scipy.sparse.csgraph import dijkstra
 
 from solver.errors import ConstraintError
 from solver.geometry.cross_products import triangle_areas, vertex_areas
@@ -19,8 +21,10 @@ from solver.types import BoolArray, FloatArray, IntArray
 # pose.
 RIGID = 0.01
 # A handle has at least this share of the area of its piece, and more than this times the squared
-# length of its border: a flat disc has 0.08, half a sphere 0.16. A foot is an end, a knee is not.
-LEAST_AREA, LEAST_BULGE = 0.005, 0.12
+# length of its border: a flat disc has 0.08, a ragged one less, half a sphere 0.16. A foot is an end, a knee is not.
+LEAST_AREA, LEAST_BULGE = 0.005, 0.09
+# Of a part, what is this far from its border is held, as a share of the farthest.
+CORE = 0.5
 
 
 class _Parts:
@@ -97,8 +101,9 @@ def find_parts(
 ) -> tuple[ArrayLike, Sequence[ArrayLike]]:
     """The fixed region (k,) and the handles, found from poses (n, 3) each where they are None.
 
-    Fixed is the largest part, handles the others at which the surface ends. Raises ConstraintError
-    where there is none.
+    Fixed is the core of the largest part, handles are those of the others at which the surface
+    ends: what lies between is what softness is learned from. Raises ConstraintError where there is
+    no such end.
     """
     rest = surface.rest
     part = rigid_parts(rest, np.array([surface.pose(X) for X in poses]))
@@ -107,10 +112,11 @@ def find_parts(
     taken = given.groups(len(poses[0])) >= 0
     trunk = int(np.bincount(part, area).argmax())
     if fixed is None:
-        fixed = np.flatnonzero(surface.shown_where(part == trunk) & ~taken)
+        fixed = np.flatnonzero(surface.shown_where(_core(rest, part == trunk)) & ~taken)
     if handles is None:
         taken[np.asarray(fixed, dtype=np.int64)] = True
-        ends = [surface.shown_where(part == k) & ~taken for k in _ends(rest, part, area, trunk)]
+        cores = [_core(rest, part == number) for number in _ends(rest, part, area, trunk)]
+        ends = [surface.shown_where(core) & ~taken for core in cores]
         handles = [np.flatnonzero(end) for end in ends if end.any()]
     if len(handles) == 0:
         raise ConstraintError("poses show no end that moves rigidly, expected handles to be given")
@@ -135,6 +141,19 @@ def _ends(rest: RestSurface, part: IntArray, area: FloatArray, trunk: int) -> li
         if number != trunk and large and _in_one(rest, piece & ~own):
             found.append(int(number))
     return found
+
+
+def _core(rest: RestSurface, own: BoolArray) -> BoolArray:
+    """(n,) the vertices of a part that are at least CORE as far from its border as any of it."""
+    a, b = rest.topology.edges.T
+    length = np.linalg.norm(rest.points[a] - rest.points[b], axis=1)
+    graph = sp.coo_array((np.maximum(length, np.finfo(float).tiny), (a, b)), shape=2 * own.shape)
+    beyond = np.unique(rest.topology.edges[own[a] != own[b]])
+    if len(beyond) == 0:
+        return own
+    away = dijkstra(graph.tocsr(), directed=False, indices=beyond[~own[beyond]], min_only=True)
+    away = np.where(own & np.isfinite(away), away, 0.0)
+    return own & (away >= CORE * away.max())
 
 
 def _in_one(rest: RestSurface, kept: BoolArray) -> bool:
