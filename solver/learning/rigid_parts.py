@@ -21,8 +21,11 @@ from solver.types import BoolArray, FloatArray, IntArray
 # pose.
 RIGID = 0.01
 # A handle has at least this share of the area of its piece, and more than this times the squared
-# length of its border: a flat disc has 0.08, a ragged one less, half a sphere 0.16. A foot is an end, a knee is not.
+# length of its border: a flat disc has 0.08, a ragged one less, half a sphere 0.16. A foot is an
+# end, a knee is not.
 LEAST_AREA, LEAST_BULGE = 0.005, 0.09
+# What is left is in one where so much of it is connected: a part may have islands.
+WHOLE = 0.95
 # Of a part, what is this far from its border is held, as a share of the farthest.
 CORE = 0.5
 
@@ -157,7 +160,7 @@ def _core(rest: RestSurface, own: BoolArray) -> BoolArray:
 
 
 def _in_one(rest: RestSurface, kept: BoolArray) -> bool:
-    """Whether these vertices are connected."""
+    """Whether these vertices are connected, but for a few."""
     edges = rest.topology.edges
-    label = components(edges[kept[edges].all(axis=1)], len(kept))[kept]
-    return len(label) > 0 and bool((label == label[0]).all())
+    sizes = np.bincount(components(edges[kept[edges].all(axis=1)], len(kept))[kept])
+    return bool(sizes.max(initial=0) > WHOLE * sizes.sum())
