@@ -23,8 +23,8 @@ from solver.types import FloatArray
 STEPS, GAIN = 40, 1e-5
 # Where it starts. At 0 and at 1 the bounds would hold half of the directions.
 START = 0.1
-# J is small in diagonals squared; L-BFGS-B's first step is as long as the gradient.
-UNIT = 1e6
+# J is small in diagonals; L-BFGS-B's first step is as long as the gradient.
+UNIT = 3e4
 
 
 class _Stopped(Exception):

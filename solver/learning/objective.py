@@ -1,7 +1,7 @@
 """What a softness is judged by: how far the equilibria are from the poses.
 
-    J(s) = mean over poses 1/2 (||X(s) - X*||_W^2 + FRAMES ||R(s) - R*||_W^2)
-           + SMOOTH / 2 (s' L s + SMALL ||s||^2)
+    J(s) = mean over poses sqrt(||X(s) - X*||_W^2 + FRAMES ||R(s) - R*||_W^2 + NEAR^2)
+           + SMOOTH / 2 (s' L s + SMALL ||s||_W^2)
 
 X(s), R(s) minimise the energy of the levels (SmoothRotationEnergy) while handles are where the
 pose X* has them; R* are the rotations nearest to its deformation gradients. W weights by area.
@@ -30,10 +30,12 @@ from solver.softness.material import softness_gains
 from solver.types import FloatArray
 
 # Of how far rotations are from the pose's, in radians, against positions in diagonals.
-FRAMES = 1e-2
+FRAMES = 2e-3
+# Distances and not their squares, which would have one extreme pose decide; squares below this.
+NEAR = 3e-3
 # Of the prior: how smooth, and how small where examples say nothing. docs/animals.md has what
 # other weights find.
-SMOOTH, SMALL = 3e-7, 1e-2
+SMOOTH, SMALL = 1e-5, 10.0
 # Rounds until the first softness is at rest, and until the next one is, which is near it.
 FIRST_ROUNDS, ROUNDS = 80, 6
 
@@ -75,12 +77,8 @@ class Objective:
         self._rounds = ROUNDS
         total, slope = 0.0, np.zeros(len(softness))
         for pose, goal in zip(self._found, self._goals, strict=True):
-            away = pose.positions - goal.positions, pose.rotations - goal.rotations
-            load = Change(
-                self._vertex_weight[:, None] * away[0], self._frame_weight[:, None, None] * away[1]
-            )
-            total += 0.5 * float((load.positions * away[0]).sum())
-            total += 0.5 * float((load.rotations * away[1]).sum())
+            distance, load = self._distance(pose, goal)
+            total += distance
             change = Sensitivity(levels, pose).answer(load)
             slope -= self._slope.along(pose, change, weights, self._ratio)
         smooth = self._laplacian @ softness + SMALL * self._mass * softness
@@ -89,6 +87,13 @@ class Objective:
             total / count + 0.5 * SMOOTH * float(softness @ smooth),
             slope / count + SMOOTH * smooth,
         )
+
+    def _distance(self, pose: RigidPose, goal: RigidPose) -> tuple[float, Change]:
+        """How far a pose is from the one that it should be, and the slope of that by the pose."""
+        X, R = pose.positions - goal.positions, pose.rotations - goal.rotations
+        by_X, by_R = self._vertex_weight[:, None] * X, self._frame_weight[:, None, None] * R
+        distance = float((by_X * X).sum() + (by_R * R).sum() + NEAR**2) ** 0.5
+        return distance, Change(by_X / distance, by_R / distance)
 
     def _settled(self, levels: RigidLevels, start: RigidPose) -> RigidPose:
         """The equilibrium that rounds from `start` come to."""

@@ -75,7 +75,8 @@ def test_size_place_and_turn_of_the_examples_do_not_count() -> None:
 def test_what_is_held_is_found_where_it_is_not_given() -> None:
     s = learn_softness(V, F, poses())
     assert abs(X[s.argmax()] - JOINT) < 0.9
-    assert s[X > 6].mean() < 0.5 * s.max()
+    near = X < 5  # beyond, the tube is held: softness there does nothing
+    assert np.corrcoef(s[near], SOFT[near])[0, 1] > 0.8
 
 
 def test_seams_do_not_count() -> None:
@@ -83,7 +84,7 @@ def test_seams_do_not_count() -> None:
     apart = np.arange(len(corners)).reshape(-1, 3)
     fixed, handle = (np.flatnonzero(np.isin(corners, held)) for held in (FIXED, HANDLE))
     s = learn_softness(V[corners], apart, [P[corners] for P in poses()], fixed, [handle])
-    np.testing.assert_allclose(s, learned()[corners], atol=1e-2)
+    np.testing.assert_allclose(s, learned()[corners], atol=0.05)
 
 
 def test_fine_meshes_are_learned_on_a_coarse_one() -> None:
