@@ -35,7 +35,7 @@ FRAMES = 2e-3
 NEAR = 3e-3
 # Of the prior: how smooth, and how small where examples say nothing. docs/animals.md has what
 # other weights find.
-SMOOTH, SMALL = 1e-5, 10.0
+SMOOTH, SMALL = 1e-5, 40.0
 # Rounds until the first softness is at rest, and until the next one is, which is near it.
 FIRST_ROUNDS, ROUNDS = 80, 6
 
