@@ -14,8 +14,10 @@ from solver.setup import Setup
 from solver.surface.embedding import Embedding
 from solver.types import BoolArray, FloatArray, IntArray
 
-# Softness is smooth, and equilibria hardly depend on the mesh: so many vertices are enough.
-MOST_VERTICES = 1000
+# Softness is smooth, and equilibria hardly depend on the mesh: so many vertices are enough. Each
+# further piece takes some of its own, up to a limit: on the dressed figure of 38 pieces, a soft elbow
+# is found again with a correlation of .27 on 1000 vertices, .78 on 2000 and .90 on 4000.
+VERTICES, PER_PIECE, MOST_VERTICES = 1000, 100, 4000
 
 
 class LearningSurface:
@@ -24,8 +26,10 @@ class LearningSurface:
     def __init__(self, embedding: Embedding) -> None:
         self._embedding = embedding
         self._fine = RestSurface(embedding.vertices, embedding.topology)
-        many = len(embedding.vertices) > MOST_VERTICES
-        self._carrier = Carrier(self._fine, MOST_VERTICES) if many else None
+        further = PER_PIECE * int(self._fine.pieces.max())
+        count = min(VERTICES + further, MOST_VERTICES)
+        many = len(embedding.vertices) > count
+        self._carrier = Carrier(self._fine, count) if many else None
         self.rest: RestSurface = self._carrier.coarse if self._carrier else self._fine
 
     def pose(self, X: FloatArray) -> FloatArray:
