@@ -15,8 +15,8 @@ from solver.surface.embedding import Embedding
 from solver.types import BoolArray, FloatArray, IntArray
 
 # Softness is smooth, and equilibria hardly depend on the mesh: so many vertices are enough. Each
-# further piece takes some of its own, up to a limit: on the dressed figure of 38 pieces, a soft elbow
-# is found again with a correlation of .27 on 1000 vertices, .78 on 2000 and .90 on 4000.
+# further piece takes some of its own, up to a limit: on the dressed figure of 38 pieces a soft
+# elbow is found again with a correlation of .27 on 1000 vertices, .78 on 2000, .90 on 4000.
 VERTICES, PER_PIECE, MOST_VERTICES = 1000, 100, 4000
 
 
