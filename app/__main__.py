@@ -20,6 +20,8 @@ WINDOW_HELP = """\
 other commands (each has --help):
   deform MESH --session FILE -o OUT [--rigid K] [--pose NAME] [--poses] [--exact] [--force]
                                                   pose a mesh as a session says; no window
+  learn MESH POSED... [--session FILE] -o SESSION
+                                                  softness from poses of the mesh, into a session
   info MESH                                       what a mesh is and what is wrong with it
   demo -o DIR [--force]                           paint, fold and save, by itself
   figures -o DIR [--force]                        the paper's figures"""
@@ -123,6 +125,23 @@ def _deform(arguments: Sequence[str]) -> None:
         tell(f"saved {options.output}; {left_out}", error=True)
 
 
+def _learn(arguments: Sequence[str]) -> None:
+    parser = _Parser(
+        prog=f"{PROGRAM} learn",
+        description="Find the softness with which a mesh takes the shapes of examples.",
+    )
+    parser.add_argument("mesh", type=Path, metavar="MESH")
+    posed_help = "the same mesh in another shape, of any size and in any place"
+    parser.add_argument("posed", type=Path, nargs="+", metavar="POSED", help=posed_help)
+    session_help = "what is fixed, handles and material; else what moves rigidly is found"
+    parser.add_argument("--session", type=Path, metavar="FILE", help=session_help)
+    parser.add_argument("-o", "--output", type=Path, metavar="SESSION", required=True)
+    options = parser.parse_args(arguments)
+    from app.learning import learn
+
+    learn(options.mesh, options.posed, options.session, options.output)
+
+
 def _info(arguments: Sequence[str]) -> None:
     parser = _Parser(
         prog=f"{PROGRAM} info", description="What a mesh is and what is wrong with it."
@@ -183,7 +202,7 @@ def _level(text: str) -> int:
     return int(text)
 
 
-COMMANDS = {"deform": _deform, "info": _info, "demo": _demo, "figures": _figures}
+COMMANDS = {"deform": _deform, "learn": _learn, "info": _info, "demo": _demo, "figures": _figures}
 
 if __name__ == "__main__":
     sys.exit(main())

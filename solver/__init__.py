@@ -15,6 +15,7 @@ from solver.errors import (
 )
 from solver.forms.fundamental_forms import FundamentalForms, fundamental_forms
 from solver.forms.reconstruction import reconstruct
+from solver.learning.learn import learn_softness
 from solver.mesh.mesh import Mesh, load_mesh
 from solver.setup import Setup
 from solver.softness.harmonic import interpolate_softness
@@ -35,6 +36,7 @@ __all__ = [
     "SolverError",
     "fundamental_forms",
     "interpolate_softness",
+    "learn_softness",
     "load_mesh",
     "reconstruct",
 ]

@@ -20,6 +20,7 @@ LAYERS = (
     "solver.linear",
     "solver.rigid",
     "solver.coarse",
+    "solver.learning",
     "solver.bound_surface",
     "solver.coarse_surface",
     "solver.deformer",
@@ -35,7 +36,7 @@ LAYERS = (
     "app.tools",
     "app.editor app.dialogs",
     "app.window",
-    "app.headless app.figures app.demo",
+    "app.headless app.learning app.figures app.demo",
     "app.__main__",
 )
 LEVEL = {room: level for level, rooms in enumerate(LAYERS) for room in rooms.split()}

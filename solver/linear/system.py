@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import numpy as np
 import scipy.sparse as sp
 
@@ -73,10 +75,14 @@ class System:
         self._values = _joined(own, structure.joints.values(bending_length))
         self.free = structure.free
         self.active = structure.active
-        self.factor: Factor = structure.analysis.factor(self._values[structure.inner])
         self.stiffness = float(np.abs(self._values).max(initial=0.0))
         #: The entries of K that have a handle's row or column.
         self.coupling = self._matrix(structure.outer)
+
+    @cached_property
+    def factor(self) -> Factor:
+        """Of K restricted to the free rows."""
+        return self._structure.analysis.factor(self._values[self._structure.inner])
 
     def respond(self, U: FloatArray) -> FloatArray:
         """U (n + 3m, k), zero but on handles, with its free rows where they minimise the energy."""

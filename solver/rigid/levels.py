@@ -17,7 +17,7 @@ from solver.linear.system import System
 from solver.rigid.lbfgs import LBFGS, inner
 from solver.rigid.poisson import PoissonProblem
 from solver.rigid.smooth_rotations import ROTATION_LENGTH, SmoothRotationEnergy
-from solver.types import FloatArray
+from solver.types import FloatArray, IntArray
 
 # No triangle turns by more than this in one round, in radians: small turns model the energy.
 LARGEST_TURN = 1.0
@@ -49,7 +49,11 @@ class State(RigidPose):
 
 
 class RigidLevels:
-    """Rotations from linear frames, positions from rotations, and rounds of both."""
+    """Rotations from linear frames, positions from rotations, and rounds of both.
+
+    poisson: positions from rotations.  turning: those of the system's active triangles, by number,
+    that are free to turn.
+    """
 
     def __init__(
         self,
@@ -72,12 +76,12 @@ class RigidLevels:
         self.poisson = PoissonProblem(self._K, constraints.free[constraints.free < n], grabs)
         # Held, carried and resting frames are right already: a round leaves them alone.
         turning = constraints.free[constraints.free >= n]
-        self._turning = np.searchsorted(active, (turning[::3] - n) // 3)
+        self.turning: IntArray = np.searchsorted(active, (turning[::3] - n) // 3)
         self._ratio = (rotation_length / bending_length) ** 2
 
     @cached_property
-    def _energy(self) -> SmoothRotationEnergy:
-        return SmoothRotationEnergy(self._system, self._K, self._turning, self._ratio)
+    def energy(self) -> SmoothRotationEnergy:
+        return SmoothRotationEnergy(self._system, self._K, self.turning, self._ratio)
 
     def refine(self, U: FloatArray, level: int, others: Sequence[FloatArray] = ()) -> RigidPose:
         """From rows U (n + 3m, 3) of the linear result.
@@ -90,12 +94,12 @@ class RigidLevels:
         moments = self.poisson.moments(X)
         R = nearest_rotations(U[self._frames].reshape(-1, 3, 3))
         X = self.poisson.positions(X, R, moments)
-        if level == 1 or len(self._turning) == 0:
+        if level == 1 or len(self.turning) == 0:
             return RigidPose(X, R)
         ends = [self._last(X, R, moments, level)]
         for rows in others:
             R = R.copy()
-            R[self._turning] = rows[self._turning]
+            R[self.turning] = rows[self.turning]
             start = self.poisson.positions(X, R, moments)
             ends.append(self._last(start, R, moments, level))
         return min(ends, key=lambda state: state.energy)
@@ -110,7 +114,7 @@ class RigidLevels:
         Each round turns all triangles by one step downhill, and positions follow. They end where
         nothing is left to gain.
         """
-        lbfgs = LBFGS(self._energy.hessian.solve)
+        lbfgs = LBFGS(self.energy.hessian.solve)
         state: State | None = self._state(X, R)
         while state is not None:
             yield state
@@ -126,7 +130,7 @@ class RigidLevels:
         length = min(1.0, LARGEST_TURN / biggest)
         while length > SHORTEST:
             R = state.rotations.copy()
-            R[self._turning] = turned(R[self._turning], length * direction)
+            R[self.turning] = turned(R[self.turning], length * direction)
             following = self._state(self.poisson.positions(state.positions, R, moments), R)
             if following.energy <= state.energy - SUFFICIENT * length * promise:
                 lbfgs.learn(length * direction, following.gradient - state.gradient)
@@ -135,4 +139,4 @@ class RigidLevels:
         return None
 
     def _state(self, X: FloatArray, R: FloatArray) -> State:
-        return State(X, R, *self._energy.measure(X, R))
+        return State(X, R, *self.energy.measure(X, R))

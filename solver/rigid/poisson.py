@@ -40,3 +40,10 @@ class PoissonProblem:
         rows = np.vstack([X, R.reshape(-1, 3)])
         X[self._free] = self._conditions.meet(-self._factor.solve(self._rows @ rows), moments)
         return X
+
+    def answer(self, forces: FloatArray) -> FloatArray:
+        """(n, 3) how positions give way to forces (n, 3) on them; moments of grabs stay."""
+        X = np.zeros_like(forces)
+        given = self._factor.solve(forces[self._free])
+        X[self._free] = self._conditions.meet(given, np.zeros_like(self._conditions.of(given)))
+        return X

@@ -27,6 +27,8 @@ class SmoothRotationEnergy:
           + l_r^2 / 2 sum w_e^-1 beta_e ||R_j - R_i||^2  =  1/2 tr U' M U
 
     with U the rows of X (n, 3), then those of each R': three rows for each active triangle.
+
+    vertex_count: n.  count: of active triangles, a.
     """
 
     def __init__(self, system: System, K: sp.csr_array, turning: IntArray, ratio: float) -> None:
@@ -38,7 +40,7 @@ class SmoothRotationEnergy:
         self._turning = turning
         self._own = system.stretching
         count = len(system.active)
-        self._n = K.shape[0] - 3 * count
+        self.count, self.vertex_count = count, K.shape[0] - 3 * count
         links, weights = system.bending
         (i, j), size = links.T, (count, count)
         degree = np.bincount(links.ravel(), np.repeat(weights, 2), count)
@@ -46,7 +48,8 @@ class SmoothRotationEnergy:
         bending = sp.diags_array(degree) - joined - joined.T
         self._bending = sp.csr_array(ratio * bending)
         extra = sp.kron((ratio - 1.0) * bending, sp.eye_array(3))
-        self._M = sp.csr_array(K + sp.block_diag((sp.csr_array((self._n, self._n)), extra)))
+        none = sp.csr_array((self.vertex_count, self.vertex_count))
+        self._M = sp.csr_array(K + sp.block_diag((none, extra)))
 
     def measure(self, X: FloatArray, R: FloatArray) -> tuple[float, FloatArray]:
         """E, and its gradient (turning, 3) by small turns of the triangles that can turn.
@@ -55,8 +58,12 @@ class SmoothRotationEnergy:
         """
         U = np.vstack([X, R.reshape(-1, 3)])
         G = self._M @ U
-        pull = G[self._n :].reshape(-1, 3, 3)[self._turning]
+        pull = G[self.vertex_count :].reshape(-1, 3, 3)[self._turning]
         return 0.5 * inner(U, G), torques(R[self._turning], pull)
+
+    def slope(self, X: FloatArray, R: FloatArray) -> FloatArray:
+        """M U, (n + 3a, 3): the slope of E by positions and by the rows of each R'."""
+        return np.asarray(self._M @ np.vstack([X, R.reshape(-1, 3)]))
 
     @cached_property
     def hessian(self) -> Factor:

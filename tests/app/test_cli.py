@@ -135,7 +135,7 @@ def test_an_odd_mesh_is_counted_and_deformed(capsys: pytest.CaptureFixture[str])
 def test_help_is_no_error(capsys: pytest.CaptureFixture[str]) -> None:
     for words in (
         ["--help"],
-        *([name, "--help"] for name in ("deform", "info", "demo", "figures")),
+        *([name, "--help"] for name in ("deform", "learn", "info", "demo", "figures")),
     ):
         with pytest.raises(SystemExit) as end:
             main(words)

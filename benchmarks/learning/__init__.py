@@ -1,0 +1,1 @@
+"""How much softness that is learned from some poses helps with others."""

@@ -1,0 +1,1 @@
+"""Softness learned from examples: poses of the same mesh."""

@@ -1,0 +1,1 @@
+"""Softness learned from poses."""
