@@ -16,7 +16,7 @@ from app.model.schema import SessionError
 from app.telling import tell
 from app.worker.memory import check_memory
 from solver import Deformer
-from solver.mesh.mesh import pose_paths
+from solver.mesh.pose_files import pose_paths
 from solver.mesh.statistics import MeshStatistics, mesh_statistics
 from solver.types import FloatArray
 

@@ -17,7 +17,7 @@ from app.model.poses import REST_NAME, blended_pose
 from app.worker.errand import Snapshot
 from app.workspace.tasks import Steps
 from app.workspace.workspace import Workspace
-from solver.mesh.mesh import pose_paths
+from solver.mesh.pose_files import pose_paths
 from solver.types import FloatArray
 
 SOLVING = 0.7  # of the time an export takes, about

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import os
-import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -19,12 +18,12 @@ from solver.mesh.formats.format import (
     Colours,
     DeformedSurface,
     FileContent,
-    Format,
     Groups,
     Smoothing,
 )
-from solver.mesh.formats.table import FORMATS
+from solver.mesh.formats.table import format_of
 from solver.mesh.polygons import Polygons, triangulate
+from solver.mesh.pose_files import pose_paths
 from solver.mesh.progress import Progress, in_steps, portion, silent
 from solver.mesh.smoothing import all_flat, smooth_corners
 from solver.storage import read_bytes, write_atomically
@@ -138,7 +137,7 @@ class Mesh:
         >>> solver.load_mesh("large.ply").vertices.max()
         np.float64(10.0)
         """
-        file_format, name = _format(path), os.fspath(path)
+        file_format, name = format_of(path), os.fspath(path)
         surface = DeformedSurface(
             self.vertices,
             self._positions(X),
@@ -172,7 +171,7 @@ class Mesh:
         >>> quad.left_out("out.ply")
         ''
         """
-        lost = _format(path).left_out(self.source, self.extras, self.outlines)
+        lost = format_of(path).left_out(self.source, self.extras, self.outlines)
         name = Path(path).suffix[1:].upper()
         return f"{name} keeps no {', '.join(lost)}" if lost else ""
 
@@ -198,7 +197,7 @@ def load_mesh(path: str | os.PathLike[str], progress: Progress | None = None) ->
     >>> solver.load_mesh("square.obj").faces.tolist()
     [[0, 1, 2], [0, 2, 3]]
     """
-    file_format, name = _format(path), os.fspath(path)
+    file_format, name = format_of(path), os.fspath(path)
     tell = in_steps(progress or silent)
     data = read_bytes(path)
     mesh = _build(file_format.read(data, name, portion(tell, 0.05, 0.85)), name)
@@ -218,31 +217,6 @@ def _build(content: FileContent, name: str) -> Mesh:
     return Mesh(vertices, polygons, corners, faces, *kept)
 
 
-def pose_paths(path: str | os.PathLike[str], poses: Iterable[str]) -> dict[str, str]:
-    """The file of each pose that `Mesh.save` writes beside `path`; none where that holds them.
-
-    Each is named after its pose as far as a file's name allows. Raises MeshError where two poses
-    would have one file, also where the system takes capitals for small letters.
-
-    >>> from solver.mesh.mesh import pose_paths
-    >>> pose_paths("out.obj", ["fist", "open hand"])
-    {'fist': 'out-fist.obj', 'open hand': 'out-open_hand.obj'}
-    """
-    if _format(path).keeps_poses:
-        return {}
-    whole = Path(path)
-    paths: dict[str, str] = {}
-    taken: set[str] = set()
-    for pose in poses:
-        safe = re.sub(r"[^\w.-]+", "_", pose)
-        name = str(whole.with_name(f"{whole.stem}-{safe}{whole.suffix}"))
-        if name.casefold() in taken:
-            raise MeshError(f"{name}: two poses would be saved there, expected distinct names")
-        taken.add(name.casefold())
-        paths[pose] = name
-    return paths
-
-
 def _positions(X: ArrayLike) -> FloatArray:
     """A copy as (n, 3) float64."""
     try:
@@ -257,14 +231,6 @@ def _positions(X: ArrayLike) -> FloatArray:
             f"positions must be finite, got {positions[bad[0]].tolist()} at vertex {bad[0]}"
         )
     return positions
-
-
-def _format(path: str | os.PathLike[str]) -> Format:
-    suffix = Path(path).suffix.lower()
-    if suffix not in FORMATS:
-        known = ", ".join(FORMATS)
-        raise MeshError(f"{os.fspath(path)}: unknown mesh format {suffix!r}, expected {known}")
-    return FORMATS[suffix]
 
 
 def _lock(array: NDArray[Any]) -> None:

@@ -5,8 +5,11 @@ A new format is a module beside this one with its read and its write, and a row 
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
+from pathlib import Path
 
+from solver.errors import MeshError
 from solver.mesh.formats.format import Format
 from solver.mesh.formats.gltf.read import GltfSource, read_gltf
 from solver.mesh.formats.gltf.saving.write import write_glb, write_gltf
@@ -32,3 +35,12 @@ FORMATS: Mapping[str, Format] = {
         read_gltf, write_gltf, GltfSource, _GLTF, only_triangles=True, keeps_poses=True
     ),
 }
+
+
+def format_of(path: str | os.PathLike[str]) -> Format:
+    """The format that the suffix of a path names. Raises MeshError for another one."""
+    suffix = Path(path).suffix.lower()
+    if suffix not in FORMATS:
+        known = ", ".join(FORMATS)
+        raise MeshError(f"{os.fspath(path)}: unknown mesh format {suffix!r}, expected {known}")
+    return FORMATS[suffix]
