@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from app.model.handles import FIRST_HANDLE, FIXED, GRAB, Handle, Pose
+from app.model.names import free_name
 from app.model.poses import FIRST_POSE, KeptPose
 from app.model.rest import RestShape
 from app.model.settings import SETTINGS, coarse_count
@@ -155,16 +156,14 @@ class Document:
 
     def new_handle(self, name: str = "", pin: bool = False) -> Handle:
         """A handle at rest, not yet part of the document; without a name it gets a free one."""
-        taken = {handle.name for handle in self.handles}
-        kind = "pin" if pin else "handle"
-        free = (f"{kind} {k}" for k in itertools.count(1) if f"{kind} {k}" not in taken)
-        return Handle(next(self._keys), name or next(free), pin)
+        taken = (handle.name for handle in self.handles)
+        free = free_name("pin" if pin else "handle", taken)
+        return Handle(next(self._keys), name or free, pin)
 
     def new_pose(self, pose: Pose, name: str = "") -> KeptPose:
         """A kept pose, not yet part of the document; without a name it gets a free one."""
-        taken = {kept.name for kept in self.poses}
-        free = (f"pose {k}" for k in itertools.count(1) if f"pose {k}" not in taken)
-        return KeptPose(next(self._pose_keys), name or next(free), pose)
+        free = free_name("pose", (kept.name for kept in self.poses))
+        return KeptPose(next(self._pose_keys), name or free, pose)
 
     def setup(self) -> Setup:
         """What the solver is bound to; handles without a vertex stay out."""

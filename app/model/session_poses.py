@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Collection
 from typing import Any
 
@@ -11,6 +10,7 @@ import numpy as np
 from app.model import schema
 from app.model.document import Document
 from app.model.handles import Pose
+from app.model.names import free_name
 from app.model.poses import KeptPose
 from app.model.schema import SessionError
 from solver.geometry.turns import NO_AXIS
@@ -106,8 +106,7 @@ def handle_names(document: Document) -> dict[int, str]:
     for handle in document.handles:
         name = handle.name
         if name in names.values():
-            numbered = (f"{name} {number}" for number in itertools.count(2))
-            name = next(free for free in numbered if free not in taken)
+            name = free_name(name, taken, 2)
             taken.add(name)
         names[handle.key] = name
     return names

@@ -70,7 +70,7 @@ class Loop:
         if np.ptp(corners, axis=0).max() < SMALLEST:
             return np.empty(0, dtype=np.int64)
         inside = inside_loop(self._camera.project(work.positions), corners)
-        vertices = np.flatnonzero(inside & work.parts.visible & (work.document.mesh.pieces >= 0))
+        vertices = np.flatnonzero(inside & work.parts.visible)
         if work.marking.through:
             return vertices
         surface = work.positions, work.parts.faces

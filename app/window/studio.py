@@ -16,7 +16,7 @@ from app.window.film_files import Picture, PictureError, check_library
 from app.window.panel.widgets import WIDTH
 from app.window.scaling import scaled
 from app.window.view import View
-from solver.types import BoolArray, FloatArray
+from solver.types import FloatArray
 
 PICTURES = ("picture", "before-after")
 TURN_FRAMES, TURN_SECONDS = 72, 6.0
@@ -65,7 +65,7 @@ class Studio:
         if self._saving is not None or self._turn is not None or self._film is not None:
             raise PictureError("one film at a time: the last one is not finished yet")
         if film.name == "turntable":
-            seen = self._editor.positions[self._seen()]
+            seen = self._editor.positions[self._editor.parts.framed]
             self._middle = 0.5 * (seen.min(axis=0) + seen.max(axis=0))
             self._turn = Film(film.path, film.replace)
         else:
@@ -140,7 +140,3 @@ class Studio:
         pixels = self._view.pixels()
         covered = scaled(WIDTH) / self._editor.viewpoint.camera.size[0]
         return pixels[:, round(covered * pixels.shape[1]) :]
-
-    def _seen(self) -> BoolArray:
-        """(n,) the vertices of what is shown."""
-        return self._editor.parts.visible & (self._editor.document.mesh.pieces >= 0)

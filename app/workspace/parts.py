@@ -10,6 +10,8 @@ import numpy as np
 from solver.mesh.mesh import Mesh
 from solver.types import BoolArray, IntArray
 
+NO_PIECE = -1  # of a vertex that no polygon has, see Mesh.pieces
+
 
 @dataclass(frozen=True)
 class Part:
@@ -23,7 +25,7 @@ class Part:
 class Parts:
     """The parts of a mesh. A hidden one is neither seen, picked nor painted; it still follows.
 
-    hidden: their numbers.  visible: (n,) the vertices that are seen.
+    hidden: their numbers.  visible: (n,) the vertices of what is seen.
     faces: the triangles that are seen.  seen: (p,) the polygons of the file, None for all.
     """
 
@@ -41,9 +43,15 @@ class Parts:
         """What a piece is called; empty for none."""
         return self.all[number].name if 0 <= number < len(self.all) else ""
 
+    @property
+    def framed(self) -> IntArray:
+        """The vertices of all that is seen; where everything is hidden, of the whole mesh."""
+        seen = self.visible
+        return np.flatnonzero(seen if seen.any() else self._mesh.pieces != NO_PIECE)
+
     def _hide(self, hidden: frozenset[int]) -> None:
         self.hidden = hidden
-        self.visible: BoolArray = ~np.isin(self._mesh.pieces, list(hidden))
+        self.visible: BoolArray = ~np.isin(self._mesh.pieces, [NO_PIECE, *hidden])
         self.faces: IntArray = self._mesh.faces[self.visible[self._mesh.faces[:, 0]]]
         outlines = self._mesh.outlines
         first = outlines.corners[outlines.starts]

@@ -62,6 +62,11 @@ class Scene:
         """Press Ctrl+S; the session."""
         return dict(json.loads(self._saved(self.session, "ctrl+s")))
 
+    def transform(self) -> NDArray[np.float64]:
+        """Of the only handle, (4, 4), as Ctrl+S saves it."""
+        (handle,) = self.save_session()["handles"]
+        return np.array(handle["transform"])
+
     def save_mesh(self) -> bytes:
         """Press Ctrl+E; the mesh, which waits for the bind that is running."""
         return self._saved(self.export, "ctrl+e")

@@ -13,12 +13,6 @@ from .scene import PARKED, Scene
 FOREARM = (0.62, 1.425, 0.03)  # free
 
 
-def transform(scene: Scene) -> NDArray[np.float64]:
-    """Of the only handle, as it is saved."""
-    (handle,) = scene.save_session()["handles"]
-    return np.array(handle["transform"])
-
-
 def pivot(scene: Scene) -> NDArray[np.float64]:
     """The centre of the handle at rest."""
     (handle,) = scene.save_session()["handles"]
@@ -27,7 +21,7 @@ def pivot(scene: Scene) -> NDArray[np.float64]:
 
 def check_turned(scene: Scene, degrees: float, axis: tuple[float, float, float]) -> None:
     """About its centre, exactly."""
-    T, centre = transform(scene), pivot(scene)
+    T, centre = scene.transform(), pivot(scene)
     np.testing.assert_allclose(T[:3, :3], rotation(axis, degrees), rtol=0, atol=1e-9)
     np.testing.assert_allclose(T[:3, :3] @ centre + T[:3, 3], centre, rtol=0, atol=1e-9)
 
@@ -44,7 +38,7 @@ def test_a_handle_is_turned_by_exactly_a_quarter(ready: Scene) -> None:
 
     for _ in range(2):
         person.key("ctrl+z")
-    np.testing.assert_array_equal(transform(scene), np.eye(4))
+    np.testing.assert_array_equal(scene.transform(), np.eye(4))
     painted = scene.save_session()["fixed"]
     scene.stroke(FOREARM)
     assert len(scene.save_session()["fixed"]) > len(painted), "digits took no other tool"
@@ -64,20 +58,20 @@ def test_the_gizmo_turns_and_moves_and_escape_takes_back(ready: Scene) -> None:
     for key in ("9", "0"):
         person.key(key)
     person.release()
-    R = transform(scene)[:3, :3]
+    R = scene.transform()[:3, :3]
     np.testing.assert_allclose(R, rotation([0, 0, 1], 90), rtol=0, atol=1e-9)
 
-    turned = transform(scene)
+    turned = scene.transform()
     person.move(*ring[0])
     person.press()
     person.move(*ring[2])
     person.key("Escape")
     person.release()
-    np.testing.assert_array_equal(transform(scene), turned)
+    np.testing.assert_array_equal(scene.transform(), turned)
 
     arrow = middle[0], middle[1] - 1.3 * RADIUS
     person.drag([arrow, (arrow[0] + 7, arrow[1] - 60)])
-    shift = transform(scene)[:3, 3] - turned[:3, 3]
+    shift = scene.transform()[:3, 3] - turned[:3, 3]
     assert shift[1] > 0.05
     np.testing.assert_allclose(shift[[0, 2]], 0, atol=1e-12)
 
@@ -90,4 +84,4 @@ def test_numbers_are_typed_in_the_panel(ready: Scene) -> None:
     person.key("Return")
     check_turned(scene, 90, (1, 0, 0))
     person.key("ctrl+z")
-    np.testing.assert_array_equal(transform(scene), np.eye(4))
+    np.testing.assert_array_equal(scene.transform(), np.eye(4))

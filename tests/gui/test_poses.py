@@ -8,7 +8,6 @@ from scipy.spatial import cKDTree
 from app.demo import DRAG
 from solver import Deformer, load_mesh
 from solver.geometry.screws import screw
-from solver.types import FloatArray
 
 from .person import wait_until
 from .scene import Scene, positions
@@ -29,10 +28,6 @@ def keep(scene: Scene, name: str) -> None:
     person.key("Return")
 
 
-def transform(scene: Scene) -> FloatArray:
-    return np.array(scene.save_session()["handles"][0]["transform"])
-
-
 def test_an_arm_is_kept_and_blended_halfway(ready: Scene) -> None:
     scene, person = ready, ready.person
     keep(scene, "fist")
@@ -42,7 +37,7 @@ def test_an_arm_is_kept_and_blended_halfway(ready: Scene) -> None:
     np.testing.assert_array_equal(fist, session["handles"][0]["transform"])
 
     person.drag([person.widget("##share", at) for at in (0.02, 0.5)])
-    half = transform(scene)
+    half = scene.transform()
     angle, whole = (np.arccos((np.trace(T[:3, :3]) - 1) / 2) for T in (half, fist))
     assert 0.4 < angle / whole < 0.6
     np.testing.assert_allclose(half, screw(fist, angle / whole), atol=1e-6)
@@ -61,11 +56,11 @@ def test_an_arm_is_kept_and_blended_halfway(ready: Scene) -> None:
     np.testing.assert_allclose(positions(scene.save_mesh()), solved, atol=1e-6)
 
     person.drag([person.widget("##share", at) for at in (0.5, 1.1)])
-    np.testing.assert_array_equal(transform(scene), fist)
+    np.testing.assert_array_equal(scene.transform(), fist)
     person.key("ctrl+z")
-    np.testing.assert_array_equal(transform(scene), half)
+    np.testing.assert_array_equal(scene.transform(), half)
     person.key("ctrl+z")
-    np.testing.assert_array_equal(transform(scene), fist)
+    np.testing.assert_array_equal(scene.transform(), fist)
 
 
 def test_all_poses_are_exported_while_the_one_on_screen_stays(ready: Scene) -> None:
@@ -83,7 +78,7 @@ def test_all_poses_are_exported_while_the_one_on_screen_stays(ready: Scene) -> N
     wait_until(lambda: all(file.exists() for file in files), what="the poses")
     for file in files:
         np.testing.assert_allclose(load_mesh(file).vertices, bent, atol=1e-6)
-    np.testing.assert_array_equal(transform(scene), np.eye(4))
+    np.testing.assert_array_equal(scene.transform(), np.eye(4))
 
 
 def test_an_arm_is_posed_and_the_button_poses_the_other_as_its_mirror_image(

@@ -39,7 +39,7 @@ def change_marks(work: Workspace, command: c.ChangeMarks) -> None:
         raise c.CommandError(f"the tool {tool.label} marks nothing: take Fixed, Handle or Softness")
     marked = tool.marks.marked(work)
     wanted = CHANGES[command.name](work, marked)
-    seen = work.parts.visible & (work.document.mesh.pieces >= 0)
+    seen = work.parts.visible
     more = np.flatnonzero(wanted & ~marked & seen & tool.marks.free(work))
     less = np.flatnonzero(marked & ~wanted & seen)
     with work.edit(f"{tool.label}: {command.name}") as gesture:

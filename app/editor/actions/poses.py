@@ -8,6 +8,7 @@ from app.editor import commands as c
 from app.editor.action import Actions, check_between, find_handle, given
 from app.model.document import Document
 from app.model.handles import Pose
+from app.model.names import free_name
 from app.model.poses import REST, REST_NAME, KeptPose, blended_pose
 from app.model.settings import is_number
 from app.workspace.workspace import Workspace
@@ -50,7 +51,8 @@ def move_pose(work: Workspace, command: c.MovePose) -> None:
 
 def duplicate_pose(work: Workspace, command: c.DuplicatePose) -> None:
     kept, poses = _kept(work, command.key), list(work.document.poses)
-    copy = work.document.new_pose(kept.pose, _name_of_copy(work.document, kept.name))
+    name = free_name(kept.name, (other.name for other in poses), 2)
+    copy = work.document.new_pose(kept.pose, name)
     poses.insert(poses.index(kept) + 1, copy)
     _list(work, f"Duplicate {kept.name}", tuple(poses))
 
@@ -117,14 +119,6 @@ def _pose(work: Workspace, key: int) -> Pose:
 def _check_free(document: Document, kept: KeptPose) -> None:
     if any(other.name == kept.name for other in document.poses if other.key != kept.key):
         raise c.CommandError(f"another pose is called {kept.name!r}, expected another name")
-
-
-def _name_of_copy(document: Document, name: str) -> str:
-    """That name with the first free number from 2 behind it."""
-    taken, number = {kept.name for kept in document.poses}, 2
-    while f"{name} {number}" in taken:
-        number += 1
-    return f"{name} {number}"
 
 
 def reset_handle(work: Workspace, command: c.ResetHandle) -> None:

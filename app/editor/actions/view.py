@@ -35,7 +35,7 @@ def frame_vertices(work: Workspace, command: c.FrameVertices) -> None:
 
 def view_from(work: Workspace, command: c.ViewFrom) -> None:
     check_name(command.side, SIDES, "side")
-    work.viewpoint.view_from(command.side, work.positions[_all(work)])
+    work.viewpoint.view_from(command.side, work.positions[work.parts.framed])
     if work.looks.beside:
         _frame_all(work)
 
@@ -56,7 +56,7 @@ def set_looks(work: Workspace, command: c.SetLooks) -> None:
 
 def _frame_all(work: Workspace) -> None:
     """From where the camera is; with room for the rest shape at both places, where it is beside."""
-    seen = _all(work)
+    seen = work.parts.framed
     positions = shown = work.positions[seen]
     if work.looks.beside:
         rest = work.document.rest_positions[seen]
@@ -73,13 +73,6 @@ def _selected(work: Workspace) -> IntArray | None:
     if work.hovered is not None:
         return np.flatnonzero(work.document.mesh.pieces == work.hovered)
     return None
-
-
-def _all(work: Workspace) -> IntArray:
-    """The vertices of all that is seen; where everything is hidden, of the whole mesh."""
-    used = work.document.mesh.pieces >= 0
-    seen = used & work.parts.visible
-    return np.flatnonzero(seen if seen.any() else used)
 
 
 VIEW_ACTIONS: Actions = {

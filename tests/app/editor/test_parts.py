@@ -117,3 +117,13 @@ def test_parts_that_there_are_not_are_refused(person: Person, command: c.Command
     assert person.editor.message is not None
     assert "there is no piece" in person.editor.message.text
     assert state(person.editor.document) == before
+
+
+def test_a_vertex_of_no_polygon_is_never_seen_and_all_is_framed_where_all_is_hidden() -> None:
+    body = slab(4, 2, 1.0)
+    parts = Parts(Mesh.from_arrays(np.vstack([body.vertices, [[9.0, 9, 9]]]), body.faces))
+    used = np.arange(len(body.vertices))
+    assert np.array_equal(np.flatnonzero(parts.visible), used)
+    parts.show(0, False)
+    assert not parts.visible.any()
+    assert np.array_equal(parts.framed, used)
