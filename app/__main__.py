@@ -136,10 +136,11 @@ def _learn(arguments: Sequence[str]) -> None:
     session_help = "what is fixed, handles and material; else what moves rigidly is found"
     parser.add_argument("--session", type=Path, metavar="FILE", help=session_help)
     parser.add_argument("-o", "--output", type=Path, metavar="SESSION", required=True)
+    _add_force(parser)
     options = parser.parse_args(arguments)
     from app.learning import learn
 
-    learn(options.mesh, options.posed, options.session, options.output)
+    learn(options.mesh, options.posed, options.session, options.output, options.force)
 
 
 def _info(arguments: Sequence[str]) -> None:

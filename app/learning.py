@@ -9,17 +9,22 @@ from pathlib import Path
 import numpy as np
 
 from app.editor.file_actions import load_document
+from app.model.outputs import check_outputs
 from app.model.session import write_session
 from solver import Mesh, MeshError, learn_softness, load_mesh
 from solver.types import FloatArray
 
 
-def learn(mesh: Path, posed: Sequence[Path], session: Path | None, output: Path) -> None:
+def learn(
+    mesh: Path, posed: Sequence[Path], session: Path | None, output: Path, force: bool = False
+) -> None:
     """Learn softness from meshes `posed` and write it, with all else of `session`, to `output`.
 
     What the session holds stays held; where nothing is fixed, or no handle has vertices, parts that
-    move rigidly stand in. Raises SolverError.
+    move rigidly stand in. Files that are there are replaced only with `force`, and never one of
+    those that are read. Raises SolverError.
     """
+    check_outputs([output], force, [mesh, *posed, *([session] if session else [])])
     document = load_document(mesh, session)
     poses = [_pose(path, document.mesh, mesh) for path in posed]
     setup = document.setup()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import time
 import traceback
 from collections.abc import Iterator
@@ -83,7 +84,7 @@ def _run(worker: Worker, mesh: Path | None, session: Path | None, export: Path |
 def _loop(window: Window) -> None:
     """Sixty frames a second and no more: Polyscope's own limit burns the time in between.
 
-    Raises SystemExit where a signal ended it, with the code that a shell knows it by.
+    Raises KeyboardInterrupt where Ctrl+C in a terminal ended it.
     """
     with told_to_end() as told:
         while not (told or window.unsaved.ended):
@@ -93,8 +94,8 @@ def _loop(window: Window) -> None:
             if ps.window_requests_close():  # only once for each press of the button
                 window.leave()
             time.sleep(max(FRAME_SECONDS - (time.perf_counter() - start), 0.0))
-    if told:
-        raise SystemExit(128 + told[0])
+    if signal.SIGINT in told:
+        raise KeyboardInterrupt
 
 
 class Window:

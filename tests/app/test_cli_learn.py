@@ -37,6 +37,8 @@ def test_a_session_gains_softness_and_keeps_the_rest() -> None:
     assert main(words) == 0
     before, after = (json.loads(Path(name).read_text()) for name in ("bar.json", "soft.json"))
     assert after["fixed"] == before["fixed"]
+    for handle in after["handles"]:
+        handle.pop("turn")  # found of the transform, which the session had alone
     assert after["handles"] == before["handles"]
     assert after["material"] == "clay"
     assert after["settings"]["rigid"] == 2
@@ -87,3 +89,19 @@ def test_other_meshes_are_refused(
     assert text in output.err
     assert output.err.count("\n") == 1
     assert not Path("soft.json").exists()
+
+
+def test_no_file_is_replaced_that_nobody_agreed_to_replace(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    words = ["learn", "bar.obj", "up.obj", "--session", "bar.json", "-o"]
+    Path("soft.json").write_text('{"mine": 1}')
+    Path("other.json").write_bytes(Path("bar.json").read_bytes())
+    there = {path: path.read_bytes() for path in Path.cwd().iterdir()}
+    refused = ["bar.json"], ["bar.json", "--force"], ["up.obj", "--force"], ["other.json"]
+    for output in (*refused, ["soft.json"], ["soft.json", "--force"]):
+        assert main([*words, *output]) == 2
+        assert "expected another name" in capsys.readouterr().err
+    assert {path: path.read_bytes() for path in Path.cwd().iterdir()} == there
+    assert main([*words, "other.json", "--force"]) == 0
+    assert "softness" in json.loads(Path("other.json").read_text())

@@ -123,12 +123,14 @@ def test_another_window_leaves_it_alone(painted: Scene, hasty: Path, open_window
 # Being ended
 
 
-@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT"])
-def test_signals_end_it_and_lose_nothing(painted: Scene, name: str) -> None:
+@pytest.mark.parametrize(
+    ("name", "code"), [("SIGINT", 130), ("SIGTERM", 0), ("SIGHUP", 0), ("SIGQUIT", 0)]
+)
+def test_signals_end_it_and_lose_nothing(painted: Scene, name: str, code: int) -> None:
     before = offered_by_a_running_window(painted.person)
     painted.stroke((12, 4, 0), (14, 4, 0))
     painted.person.process.send_signal(getattr(signal, name))
-    assert ended(painted.person) == 0
+    assert ended(painted.person) == code
     assert set(offered()["fixed"]) > set(before["fixed"])
 
 
