@@ -64,15 +64,19 @@ def test_a_window_is_not_opened_to_export_over_what_it_opens(
 
 
 @pytest.mark.parametrize(
-    ("command", "name"),
-    [("demo", "demo.json"), ("demo", "after.png"), ("figures", "figures.md")],
+    ("command", "name", "text"),
+    [
+        ("demo", "demo.json", "no session of this program"),
+        ("demo", "after.png", "there already"),
+        ("figures", "figures.md", "there already"),
+    ],
 )
 def test_a_folder_that_has_such_files_is_left_alone(
-    command: str, name: str, capsys: pytest.CaptureFixture[str]
+    command: str, name: str, text: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     Path("out").mkdir()
     (Path("out") / name).write_text("mine")
-    assert f"{name} is there already" in refused(capsys, command, "-o", "out")
+    assert f"{name} is {text}" in refused(capsys, command, "-o", "out")
 
 
 def test_a_mesh_that_has_changed_is_told_and_not_used_where_its_numbers_do_not_hold(
