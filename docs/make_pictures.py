@@ -11,11 +11,11 @@ import sys
 from collections.abc import Callable
 
 from app.telling import tell
-from docs.pictures import close_ups, first_minute, guide
+from docs.pictures import close_ups, film, first_minute, guide
 
 # What makes which files of docs/images.
 MAKERS: dict[tuple[str, ...], Callable[[], None]] = {
-    **{scene.pictures: scene.make for scene in (*first_minute.SCENES, *guide.SCENES)},
+    **{scene.pictures: scene.make for scene in (*first_minute.SCENES, *guide.SCENES, *film.SCENES)},
     close_ups.PICTURES: close_ups.make,
 }
 

@@ -23,7 +23,7 @@ from tests.gui.person import Person
 IMAGES = Path(__file__).resolve().parents[1] / "images"
 FIRST_RADIUS = 0.03  # of the brush
 FOLDER = Path(tempfile.gettempdir()) / "figures"  # always of one name: it is seen in pictures
-COLOURS = 256
+COLOURS, NO_DITHER = 256, Image.Dither.NONE
 MARGIN = 30  # pixels around what is shown
 Box = tuple[int, int, int, int]  # pixels: left, top, right, bottom
 CORNER = (1270, 790)  # where the mouse is in nobody's way
@@ -82,7 +82,8 @@ class Seat:
     def shot(self, name: str, box: Box | None = None) -> None:
         """Save what the window shows, or a box of it, as a small PNG."""
         image = Image.fromarray(np.ascontiguousarray(self.person.picture())).crop(box)
-        colours = image.quantize(COLOURS, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+        # Rare colours, of handles and marks in the panel, count as much as large areas.
+        colours = image.quantize(COLOURS, Image.Quantize.MAXCOVERAGE, kmeans=3, dither=NO_DITHER)
         colours.save(IMAGES / name, optimize=True)
 
 
