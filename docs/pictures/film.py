@@ -9,7 +9,6 @@ from app.demo import DRAG
 from docs.pictures.scene import FOLDER, IMAGES, Scene, Seat, copies
 from tests.gui.person import wait_until
 
-BACK = (DRAG[-1], DRAG[-2], DRAG[-3], DRAG[1], DRAG[0])
 FILM = "drag.gif"
 
 
@@ -25,7 +24,7 @@ def drag(seat: Seat) -> None:
     seat.settle()
     person.move(*seat.pixels(DRAG)[0])
     person.choose("Record")
-    person.drag(seat.pixels([*DRAG, *BACK[1:]]), steps=6)
+    person.drag(seat.pixels([*DRAG, *DRAG[-2::-1]]), steps=6)
     person.choose("Record")
     made = FOLDER / FILM
     wait_until(made.exists, what=FILM)

@@ -12,6 +12,7 @@ import numpy as np
 
 from app.bundled import ASSETS, DEFAULT_MESH
 from app.demo import DRAG, HAND, HAND_RADIUS, Point
+from app.tools.gizmo.shape import RADIUS
 from docs.pictures.first_minute import CHEST, FIGURE, LEFT_HAND, RAISED
 from docs.pictures.scene import Scene, Seat, copies
 
@@ -30,8 +31,6 @@ AROUND_HEAD: tuple[Point, ...] = (
 
 def gizmo(seat: Seat) -> None:
     """A hand before it is turned and meanwhile, with the angle beside the mouse."""
-    from app.tools.gizmo.shape import RADIUS
-
     seat.person.key("5")
     seat.settle()
     ((x, y),) = seat.pixels([(0.86, 1.425, 0.0)])
