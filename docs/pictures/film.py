@@ -32,4 +32,6 @@ def drag(seat: Seat) -> None:
     shutil.copy(made, IMAGES)
 
 
-SCENES = (Scene((FILM,), copies(ASSETS / "mannequin-elbow.json", DEFAULT_MESH), drag),)
+SCENES = (
+    Scene((FILM,), copies(ASSETS / "mannequin-elbow.json", DEFAULT_MESH), drag, dialogs=False),
+)

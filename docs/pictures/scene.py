@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
@@ -92,16 +93,19 @@ class Scene:
     """pictures: the files it makes.  steps: what is done before the window.
 
     prepare: puts into a folder what the window opens, and returns that file.
+    dialogs: whether the system's are used; else the panel has fields to type paths into.
     """
 
     pictures: tuple[str, ...]
     prepare: Callable[[Path], Path]
     steps: Callable[[Seat], None]
+    dialogs: bool = True
 
     def make(self) -> None:
         """Act the scene, and save its pictures. Raises FileExistsError while another is acted."""
         FOLDER.mkdir()
         try:
+            (FOLDER / "preferences").write_text(json.dumps({"dialogs": self.dialogs}))
             with seated(self.prepare(FOLDER)) as seat:
                 self.steps(seat)
         finally:
