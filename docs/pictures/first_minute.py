@@ -71,7 +71,7 @@ def large(seat: Seat) -> None:
         seat.stroke(place)
         seat.settle(4.0)
     seat.stroke(LEFT_HAND, RAISED, steps=20)
-    seat.settle(4.0)
+    seat.follows(RAISED)
     seat.shot("window-large.png")
 
 

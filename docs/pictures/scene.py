@@ -19,12 +19,14 @@ from app.pointing.brush import RADIUS_STEP
 from app.viewpoint.camera import Pixel
 from app.viewpoint.framing import framing
 from tests.gui.display import VirtualDisplay
-from tests.gui.person import Person
+from tests.gui.person import Person, wait_until
 
 IMAGES = Path(__file__).resolve().parents[1] / "images"
 FIRST_RADIUS = 0.03  # of the brush
 FOLDER = Path(tempfile.gettempdir()) / "figures"  # always of one name: it is seen in pictures
 COLOURS, NO_DITHER = 256, Image.Dither.NONE
+LEFT_OF_POINTER = 5  # pixels
+PATIENCE = 120  # seconds
 MARGIN = 30  # pixels around what is shown
 Box = tuple[int, int, int, int]  # pixels: left, top, right, bottom
 CORNER = (1270, 790)  # where the mouse is in nobody's way
@@ -67,6 +69,18 @@ class Seat:
     def settle(self, still: float = 1.0) -> None:
         """Wait for the solver, and until nothing moves any more."""
         self.person.wait_still(still)
+
+    def follows(self, place: Point) -> None:
+        """Wait until the surface has come to where the mouse has led it."""
+        ((x, y),) = np.rint(self.pixels([place])).astype(int)
+
+        def there() -> bool:
+            picture = self.person.picture()
+            left = picture[y, x - LEFT_OF_POINTER].astype(int)
+            return bool(np.abs(left - picture[-1, -1]).max() > 30)
+
+        wait_until(there, PATIENCE, "the surface at the mouse")
+        self.settle()
 
     def around(self, *places: Point) -> Box:
         """The box of pixels that has these points of the world in it, and a margin."""
