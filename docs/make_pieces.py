@@ -25,6 +25,8 @@ from solver.types import BoolArray, FloatArray, IntArray
 
 IMAGES = Path(__file__).resolve().parent / "images"
 SIZE = (480, 480)
+PLACES, WAYS = ("head", "elbow"), {"apart": False, "follow": True}
+PICTURES = tuple(f"pieces-{place}-{way}.png" for place in PLACES for way in ("rest", *WAYS))
 # By a word of the part's name.
 COLORS = {
     "body": (0.82, 0.64, 0.53),
@@ -168,7 +170,7 @@ def main() -> None:
 
     for turn in turns(mesh):
         draw(f"{turn.name}-rest", mesh.vertices, turn.camera)
-        for word, attach in (("apart", False), ("follow", True)):
+        for word, attach in WAYS.items():
             X = pose(mesh, turn, attach)
             report(mesh, X)
             draw(f"{turn.name}-{word}", X, turn.camera)

@@ -122,8 +122,8 @@ class LiveSurface:
 
     @property
     def slow(self) -> bool:
-        """Whether some rigid level takes longer than a frame."""
-        return self._pace.slow
+        """Whether some rigid level takes longer than a frame, or the one asked for just now."""
+        return self._pace.slow or self._refinements.late
 
     def _follow_rest(self, document: Document) -> None:
         """Forget what was bound of another rest shape.

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import time
+
 import numpy as np
 
 from app.worker.requests import Bound, Refined, RefineRequest, checked
 from solver.errors import SolverError
 from solver.types import FloatArray
+
+NOTICED = 0.5  # seconds
 
 
 class Refinements:
@@ -18,6 +22,7 @@ class Refinements:
     def __init__(self) -> None:
         self.latest: Refined | None = None
         self._asked: RefineRequest | None = None
+        self._since = 0.0
         self._refused: SolverError | None = None
 
     def wish(self, bound: Bound, transforms: FloatArray, level: int) -> RefineRequest | None:
@@ -27,8 +32,17 @@ class Refinements:
             return None
         request = bound.request
         self._asked = RefineRequest(request.version, transforms, level, len(request.vertices))
-        self._refused = None
+        self._refused, self._since = None, time.monotonic()
         return self._asked
+
+    @property
+    def late(self) -> bool:
+        """Whether the newest question has been without an answer for longer than one notices."""
+        asked, latest = self._asked, self.latest
+        if asked is None or self._refused is not None:
+            return False
+        answered = latest is not None and latest.request.asks(asked.transforms, asked.rigid)
+        return not answered and time.monotonic() - self._since > NOTICED
 
     def take(self, refined: Refined) -> None:
         """An answer. Raises PoseError, and keeps the one before, if it is no use."""
