@@ -32,7 +32,7 @@ def export_poses(work: Workspace, command: c.ExportPoses) -> None:
 
     saving = MeshSaving(work, command, path, files, document.mesh, work.own)
     saving.check()
-    work.tasks.begin(f"Exporting {path.name}", _export(saving, settled(work), poses))
+    work.tasks.begin(f"Exporting {path.name}", _export(saving, settled(work), poses), saving.about)
 
 
 def _export(
