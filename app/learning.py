@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from app.editor.file_actions import load_document
-from app.model.session import write_session
+from app.model.session_writing import write_session
 from solver import Mesh, MeshError, learn_softness, load_mesh
 from solver.types import FloatArray
 

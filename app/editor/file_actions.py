@@ -23,8 +23,9 @@ from app.editor.solved import settled, solved
 from app.model.carrying import MeshChanged, on_mesh
 from app.model.document import Document
 from app.model.handles import Pose
-from app.model.session import read_session, write_session
+from app.model.session import read_session
 from app.model.session_mesh import Carry
+from app.model.session_writing import write_session
 from app.model.settings import affordable_level
 from app.unsaved.places import read_unsaved
 from app.worker.errand import Snapshot

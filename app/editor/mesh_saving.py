@@ -61,7 +61,7 @@ class MeshSaving:
         """What is said afterwards: where it is, and what its format does not keep."""
         beside, left_out = len(self.files(self.path)) - 1, self.mesh.left_out(self.path)
         parts = [f"Exported {whole(self.path)}"]
-        parts += [f", {beside} files beside it"] if beside else []
+        parts += [f", {beside} file{'s' * (beside > 1)} beside it"] if beside else []
         parts += [f"; {left_out}"] if left_out else []
         return "".join(parts)
 

@@ -45,7 +45,7 @@ def _export(
         part = SOLVING * (len(found) + 1) / (len(poses) + 1)
         found[name] = yield from solved(work, shown.posed(pose), part)
     yield from saving.steps(positions, found, SOLVING)
-    work.say(f"{len(poses)} poses: {saving.done}")
+    work.say(f"{len(poses)} pose{'s' * (len(poses) > 1)}: {saving.done}")
 
 
 def poses_to_save(document: Document, path: Path, between: int = 0) -> dict[str, Pose]:

@@ -134,7 +134,8 @@ def test_poses_of_a_document_that_is_no_longer_open_go_where_they_were_to(
     bar.editor.execute(c.OpenMesh(tmp_path / "bar10.obj"))
     gate.set()
     until(bar, is_over(bar))
-    assert text(bar).startswith(f"1 poses: Exported {tmp_path / 'out.obj'}")
+    out = tmp_path / "out.obj"
+    assert text(bar).startswith(f"1 pose: Exported {out}, 1 file beside it")
     assert bar.editor.exported is None
     np.testing.assert_allclose(saved(tmp_path / "out.obj"), slab(20, 4, 2.0).vertices, atol=1e-6)
     bar.do(c.Export(tmp_path / "out.obj"))
