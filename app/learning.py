@@ -10,7 +10,7 @@ import numpy as np
 
 from app.editor.file_actions import load_document
 from app.model.outputs import check_outputs
-from app.model.session import write_session
+from app.model.session_writing import write_session
 from solver import Mesh, MeshError, learn_softness, load_mesh
 from solver.types import FloatArray
 

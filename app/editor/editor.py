@@ -22,7 +22,7 @@ from app.viewpoint.events import Input
 from app.workspace.color_maps import MAPS
 from app.workspace.operator import Operator
 from app.workspace.workspace import Workspace
-from solver.errors import SolverError
+from solver.errors import FileError, SolverError
 from solver.types import FloatArray
 
 PAUSE = 0.005  # seconds between two steps of a task that a script waits for
@@ -45,11 +45,14 @@ class Editor(Workspace):
         super().adopt(document, session_path)
         self.cursor: Overlay = NOTHING
         self.question: Question | None = None
+        self._later: list[Question] = []
         self._hand, self._stage = Hand(self), Stage(self)
         self._warnings: Latest[tuple[Warning, ...]] = Latest()
 
     def step(self, frame: Input) -> None:
         """One frame: advance a stroke or drag and a task, take finished binds, pose the surface."""
+        if self.question is None and self._later:
+            self.ask(self._later.pop(0))
         if self.question is not None:
             frame = Input(None, frame.camera)
         self._try(self.tasks.advance)
@@ -102,10 +105,12 @@ class Editor(Workspace):
     def close(self) -> None:
         """End the task and the worker. A file that is being written is; what is not done is told.
 
-        Raises what goes wrong with it.
+        Raises what goes wrong with it, FileError where somebody would have to be asked.
         """
         try:
             undone = self.tasks.close()
+        except Asks as asks:  # nobody is there to answer
+            raise FileError(str(asks).partition("\n")[0]) from asks
         finally:
             self.worker.close()
         for name in undone:
@@ -187,7 +192,10 @@ class Editor(Workspace):
         try:
             act()
         except Asks as asks:
-            self.ask(asks.question)
+            if self.question is None:
+                self.ask(asks.question)
+            else:  # a task's: what is being answered stays where it is
+                self._later.append(asks.question)
         except (SolverError, OSError) as error:
             self.say(str(error), "error")
 

@@ -23,8 +23,9 @@ from app.editor.solved import settled, solved
 from app.model.carrying import MeshChanged, on_mesh
 from app.model.document import Document
 from app.model.handles import Pose
-from app.model.session import read_session, write_session
+from app.model.session import read_session
 from app.model.session_mesh import Carry
+from app.model.session_writing import write_session
 from app.model.settings import affordable_level
 from app.unsaved.places import read_unsaved
 from app.worker.errand import Snapshot
@@ -130,7 +131,7 @@ def export(work: Workspace, command: c.Export) -> None:
     path = command.path or default_export_path(work)
     saving = MeshSaving(work, command, path, lambda file: [file], work.document.mesh, work.own)
     saving.check()
-    work.tasks.begin(f"Exporting {path.name}", _export(saving, settled(work)))
+    work.tasks.begin(f"Exporting {path.name}", _export(saving, settled(work)), saving.about)
 
 
 def _export(saving: MeshSaving, shape: Steps[tuple[Snapshot, Pose]]) -> Steps[None]:

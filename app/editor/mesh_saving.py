@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import nullcontext
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,6 +15,7 @@ from app.workspace.own_files import OwnFiles
 from app.workspace.tasks import Steps, in_background
 from app.workspace.workspace import Workspace
 from solver import Mesh
+from solver.errors import FileError
 from solver.types import FloatArray
 
 
@@ -33,6 +34,10 @@ class MeshSaving:
         """Raise Asks or CommandError before a file is replaced that must not be."""
         if self._is_open:
             before_mesh(self.work, self.command, self.path, self.files)
+        elif not self.command.replace and not all(map(self.own.may_replace, self.files(self.path))):
+            raise FileError(
+                f"{whole(self.path)}: not exported, what is there is not to be replaced"
+            )
 
     def steps(
         self,
@@ -42,8 +47,7 @@ class MeshSaving:
     ) -> Steps[None]:
         """Write the files. start: how far the task is. Raises Asks, FileError and MeshError."""
         self.check()  # once more: the shapes may have taken their time
-        elsewhere = or_elsewhere(self.command, self.path) if self._is_open else nullcontext()
-        with elsewhere, recent(self.work, self.path):
+        with self._or_elsewhere(), recent(self.work, self.path):
             yield from in_background(
                 lambda tell: self.mesh.save(self.path, positions, poses, tell), start
             )
@@ -57,9 +61,28 @@ class MeshSaving:
         """What is said afterwards: where it is, and what its format does not keep."""
         beside, left_out = len(self.files(self.path)) - 1, self.mesh.left_out(self.path)
         parts = [f"Exported {whole(self.path)}"]
-        parts += [f", {beside} files beside it"] if beside else []
+        parts += [f", {beside} file{'s' * (beside > 1)} beside it"] if beside else []
         parts += [f"; {left_out}"] if left_out else []
         return "".join(parts)
+
+    @property
+    def about(self) -> Hashable:
+        """The same for what the same document writes to the same place, in the same way."""
+        return type(self.command), whole(self.path), self.own
+
+    @contextmanager
+    def _or_elsewhere(self) -> Iterator[None]:
+        """Within, the files are written; another folder is proposed for the open document only.
+
+        The answer exports what is open: nobody asks once that is another document.
+        """
+        try:
+            yield
+        except FileError as error:
+            if not self._is_open:
+                raise
+            with or_elsewhere(self.command, self.path):
+                raise error
 
     @property
     def _is_open(self) -> bool:

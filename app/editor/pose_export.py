@@ -32,7 +32,7 @@ def export_poses(work: Workspace, command: c.ExportPoses) -> None:
 
     saving = MeshSaving(work, command, path, files, document.mesh, work.own)
     saving.check()
-    work.tasks.begin(f"Exporting {path.name}", _export(saving, settled(work), poses))
+    work.tasks.begin(f"Exporting {path.name}", _export(saving, settled(work), poses), saving.about)
 
 
 def _export(
@@ -45,7 +45,7 @@ def _export(
         part = SOLVING * (len(found) + 1) / (len(poses) + 1)
         found[name] = yield from solved(work, shown.posed(pose), part)
     yield from saving.steps(positions, found, SOLVING)
-    work.say(f"{len(poses)} poses: {saving.done}")
+    work.say(f"{len(poses)} pose{'s' * (len(poses) > 1)}: {saving.done}")
 
 
 def poses_to_save(document: Document, path: Path, between: int = 0) -> dict[str, Pose]:

@@ -26,7 +26,7 @@ def _settled(
         return shape, pose
     while work.late.debt is debt and not work.surface.bind_error:
         yield None
-    return (snapshot(work.document), work.document.pose) if debt.paid else (shape, pose)
+    return (shape, pose) if debt.paid is None else (shape.posed(debt.paid), debt.paid)
 
 
 def solved(work: Workspace, shape: Snapshot, fraction: float | None = None) -> Steps[FloatArray]:

@@ -1,15 +1,12 @@
 """Session files: everything a person decided about a mesh, as JSON.
 
 Reading is strict: what is unknown or of the wrong type is refused by name. What a session is to
-hold is a line in SESSION, one in `to_document` and one in `write_session`.
+hold is a line in SESSION, one in `to_document` and one in session_writing.py.
 """
 
 from __future__ import annotations
 
 import itertools
-import json
-import os
-from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -17,29 +14,20 @@ import numpy as np
 
 from app.model import schema
 from app.model.document import Document
-from app.model.handles import FIXED, FREE, NO_TURN, Handle
-from app.model.json_pieces import json_pieces
+from app.model.handles import FIXED, FREE, NO_TURN
 from app.model.reach import Reach
 from app.model.schema import SessionError
-from app.model.session_mesh import MESH, PLACES, written_mesh, written_places
-from app.model.session_poses import (
-    POSES,
-    handle_names,
-    kept_poses,
-    turned,
-    written_poses,
-    written_turn,
-)
+from app.model.session_mesh import MESH, PLACES
+from app.model.session_poses import POSES, kept_poses, turned
+from app.model.session_writing import FORMAT, VERSION
 from app.model.settings import SETTINGS
 from app.model.unsaved import UNSAVED
 from solver.errors import SolverError
 from solver.mesh.mesh import Mesh
 from solver.mesh.sizes import check_sizes
 from solver.softness.material import PRESETS, Material
-from solver.storage import read_bytes, write_atomically
+from solver.storage import read_bytes
 
-FORMAT = "surface-deformation-session"
-VERSION = 1
 # Each takes four columns of the basis; more than some hundred fit into no memory.
 MOST_HANDLES = 2000
 
@@ -126,66 +114,6 @@ def to_document(session: Session, mesh: Mesh, mesh_path: Path) -> Document:
     return document
 
 
-def write_session(path: Path, document: Document) -> None:
-    """Write the document as a session file, the mesh relative to it. Raises FileError."""
-    pieces = session_pieces(document, {"path": _relative(document.path, path)})
-    write_atomically(path, b"".join(pieces))
-
-
-def session_pieces(
-    document: Document, mesh: Mapping[str, Any], **more: Mapping[str, Any]
-) -> Iterator[bytes]:
-    """What a session file holds, a thousand numbers or so at a time.
-
-    mesh, more: what it says under these keys besides. The document must not change meanwhile.
-    """
-    start = "{\n"
-    for key, value in _content(document, mesh, more).items():
-        yield f"{start} {json.dumps(key)}: ".encode()
-        for piece in json_pieces(value):
-            yield piece.encode()
-        start = ",\n"
-    yield b"\n}\n"
-
-
-def _content(
-    document: Document, file: Mapping[str, Any], more: Mapping[str, Any]
-) -> dict[str, Any]:
-    material, names = document.material, handle_names(document)
-    painted, pins = ([h for h in document.handles if h.pin is pin] for pin in (False, True))
-    data: dict[str, Any] = {
-        "format": FORMAT,
-        "version": VERSION,
-        **more,
-        "mesh": {**file, **written_mesh(document.mesh)},
-        "fixed": document.fixed,
-        "handles": (_handle(document, handle, names) for handle in painted),
-        "material": vars(material) if isinstance(material, Material) else material,
-        "settings": _settings(document),
-    }
-    if pins:
-        data["pins"] = (_handle(document, handle, names) for handle in pins)
-    if document.rest is not None:
-        data["rest"] = document.rest_positions
-    if document.poses:
-        data["poses"] = written_poses(document)
-    if document.softness.any():
-        data["softness"] = document.softness
-    if places := written_places(document):
-        data["places"] = places
-    return data
-
-
-def _handle(document: Document, handle: Handle, names: dict[int, str]) -> dict[str, Any]:
-    entry = {
-        "name": names[handle.key],
-        "vertices": document.vertices_of(handle.key),
-        "transform": document.pose.of(handle.key),
-    }
-    turn = written_turn(document.pose, handle.key)
-    return entry if turn is None else {**entry, "turn": turn}
-
-
 def _add_handle(document: Document, entry: dict[str, Any], pin: bool, where: str) -> None:
     handle = document.new_handle(entry.get("name", ""), pin)
     document.change("handles", (*document.handles, handle))
@@ -195,20 +123,6 @@ def _add_handle(document: Document, entry: dict[str, Any], pin: bool, where: str
         pose = turned(document.pose, handle.key, entry["turn"], f"{where}.turn")
         document.change("pose", pose)
     _give_role(document, entry.get("vertices", []), handle.key, f"{where}.vertices")
-
-
-def _settings(document: Document) -> dict[str, Any]:
-    values = {name: getattr(document, name) for name in SETTINGS}
-    return {k: v for k, v in values.items() if SETTINGS[k].written or v != SETTINGS[k].default}
-
-
-def _relative(mesh_path: Path, session_path: Path) -> str:
-    """With forward slashes; absolute where no relative path leads there (another drive)."""
-    mesh = mesh_path.resolve()
-    try:
-        return Path(os.path.relpath(mesh, session_path.resolve().parent)).as_posix()
-    except ValueError:
-        return mesh.as_posix()
 
 
 def _check_reach(document: Document) -> None:

@@ -12,8 +12,8 @@ from typing import Any
 
 from app.bundled import ASSETS
 from app.model.document import Document
-from app.model.session import session_pieces
 from app.model.session_mesh import mesh_hash, mesh_places
+from app.model.session_writing import session_pieces
 from app.model.unsaved import holds
 from app.unsaved.file import UnsavedFile
 from app.unsaved.places import Kept

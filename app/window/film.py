@@ -74,7 +74,7 @@ class Film:
             raise PictureError(f"{path}: a film is one of {', '.join(FILMS)}")
         if not os.access(path.parent, os.W_OK):
             raise PictureError(f"{path}: its folder is not there or cannot be written to")
-        self._path, self._replace, self._kind = path, replace, FILMS[path.suffix.lower()]
+        self._path, self._replace, self._kind = whole(path), replace, FILMS[path.suffix.lower()]
         number, name = tempfile.mkstemp(path.suffix.lower(), "film-")
         os.close(number)
         self._own = Path(name)

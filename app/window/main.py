@@ -131,7 +131,8 @@ class Window:
 
     def work(self) -> None:
         """Carry out what takes its time, between two frames: the last one said so."""
-        slow, self._waiting = self._waiting, []
+        slow = self._waiting if self._editor.question is None else []  # else it would not be heard
+        self._waiting = self._waiting[len(slow) :]
         for command in slow:
             self._told.notice = command.notice
             with self._telling():

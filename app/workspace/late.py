@@ -13,12 +13,12 @@ from app.model.history import Entry, Gesture, History
 
 @dataclass(eq=False)
 class Debt:
-    """One handle or several of a drag. paid: whether they have found what they lacked."""
+    """One handle or several of a drag. paid: the pose with what they lacked, None before that."""
 
     entry: Entry
     keys: Collection[int]
     pose: Callable[[], Pose]
-    paid: bool = False
+    paid: Pose | None = None
 
 
 class Late:
@@ -49,5 +49,5 @@ class Late:
         gesture = Gesture(document)
         gesture.change("pose", debt.pose())
         history.amend(gesture.finish(debt.entry.label))
-        debt.paid = True
+        debt.paid = document.pose
         return True

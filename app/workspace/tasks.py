@@ -6,7 +6,7 @@ The steps are a generator that yields how far it is, from 0 to 1, or None where 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Hashable
 from concurrent.futures import Future
 from threading import Event, Thread
 from typing import TypeVar
@@ -63,12 +63,15 @@ class Tasks:
         """say: what tells a person that one was cancelled."""
         self.now: Task | None = None
         self._say = say
-        self._waiting: dict[str, Steps[None]] = {}
+        self._waiting: dict[tuple[str, Hashable], Steps[None]] = {}
 
-    def begin(self, name: str, steps: Steps[None]) -> None:
-        """Do the first step, or wait, in place of one of this name. Raises what goes wrong."""
+    def begin(self, name: str, steps: Steps[None], about: Hashable = None) -> None:
+        """Do the first step, or wait, in place of one of this name that is about the same.
+
+        Raises what goes wrong.
+        """
         if self.now is not None:
-            self._waiting[name] = steps
+            self._waiting[name, about] = steps
             return
         self.now = Task(name, steps)
         self.advance()
@@ -84,8 +87,8 @@ class Tasks:
             self._say(f"{task.name} was cancelled")
         finally:
             if self.now is None and self._waiting:
-                name = next(iter(self._waiting))
-                self.now = Task(name, self._waiting.pop(name))
+                first = next(iter(self._waiting))
+                self.now = Task(first[0], self._waiting.pop(first))
 
     def cancel(self) -> None:
         """Take back what is under way; what waits for it begins."""
@@ -99,7 +102,7 @@ class Tasks:
         Raises what goes wrong.
         """
         task, self.now = self.now, None
-        undone, self._waiting = list(self._waiting), {}
+        undone, self._waiting = [name for name, _ in self._waiting], {}
         over = task is None
         try:
             while task is not None and not over:
@@ -107,6 +110,8 @@ class Tasks:
                 over = task.go_on()
         except Closing:
             return [task.name, *undone] if task is not None else undone
+        except Cancelled:  # by a person, just before
+            return undone
         return undone
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from app.__main__ import main
 from app.editor.file_actions import load_document
-from app.model.session import write_session
+from app.model.session_writing import write_session
 from solver import Mesh, load_mesh
 from tests.app.command import session, write_bar
 

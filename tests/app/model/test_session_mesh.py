@@ -14,8 +14,9 @@ from app.model.carrying import by_nearest
 from app.model.document import Document
 from app.model.handles import FIXED
 from app.model.schema import SessionError
-from app.model.session import read_session, to_document, write_session
+from app.model.session import read_session, to_document
 from app.model.session_mesh import farthest, mesh_change, read_places
+from app.model.session_writing import write_session
 from solver import Material, Mesh
 from solver.geometry.motions import motion, rotation
 from solver.types import FloatArray, IntArray

@@ -190,6 +190,22 @@ def test_an_export_has_the_handle_as_it_turned(tmp_path: Path) -> None:
     assert not np.array_equal(transforms(person.editor.document)[0][:3, :3], np.eye(3))
 
 
+def test_an_export_keeps_how_it_turned_whatever_is_done_next(tmp_path: Path) -> None:
+    person, fake = begun(late=True)
+    drag(person)
+    person.editor.execute(c.Export(tmp_path / "out.obj"))
+    person.frame([10, 2, 0])
+    assert not (tmp_path / "out.obj").exists()
+    fake.late = False
+    person.frame([10, 2, 0])
+    assert not np.array_equal(transforms(person.editor.document)[0][:3, :3], np.eye(3))
+    person.editor.settle()
+    X = person.editor.positions.copy()
+    person.do(c.Undo())
+    person.editor.complete()
+    np.testing.assert_allclose(load_mesh(tmp_path / "out.obj").vertices, X, atol=1e-6)
+
+
 def test_where_the_bind_failed_the_reason_is_said_once_more() -> None:
     class Refusing(InlineWorker):
         def request(self, request: Request) -> None:

@@ -271,3 +271,12 @@ def test_times_only_grow(tmp_path: Path) -> None:
         assert len(pictures) == 12
         assert min(lasts) > 0
         assert all(a.mean() < b.mean() for a, b in pairwise(pictures))
+
+
+def test_where_it_is_is_said_from_the_root_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    film = filmed(Path("a.gif"), [shade(value) for value in SHADES])
+    monkeypatch.chdir(tmp_path.parent)
+    assert film.saved == (f"Saved {tmp_path / 'a.gif'}", True)

@@ -198,3 +198,20 @@ def test_a_wait_after_a_file_is_given_up_too(tasks: Tasks) -> None:
     held.may_end.set()
     assert tasks.close() == ["Working"]
     assert results == ["result"]
+
+
+def test_one_that_was_cancelled_just_before_the_end_is_nothing_to_tell(tasks: Tasks) -> None:
+    gate = threading.Event()
+
+    def work(tell: Progress) -> None:
+        gate.wait(WAIT)
+        tell(0.5)
+
+    def steps() -> Steps[None]:
+        yield from in_background(work)
+
+    tasks.begin("Working", steps())
+    tasks.begin("Counting", counting([]))
+    tasks.cancel()
+    gate.set()
+    assert tasks.close() == ["Counting"]
