@@ -17,6 +17,7 @@ from app.editor.actions.symmetry import SYMMETRY_ACTIONS
 from app.editor.actions.view import VIEW_ACTIONS
 from app.editor.file_actions import FILE_ACTIONS
 from app.editor.pose_export import POSE_EXPORT_ACTIONS
+from app.editor.posed_meshes import POSED_MESH_ACTIONS
 
 ACTIONS: Actions = {
     **CHOICE_ACTIONS,
@@ -33,4 +34,5 @@ ACTIONS: Actions = {
     **VIEW_ACTIONS,
     **FILE_ACTIONS,
     **POSE_EXPORT_ACTIONS,
+    **POSED_MESH_ACTIONS,
 }

@@ -21,7 +21,12 @@ def keep_pose(work: Workspace, command: c.KeepPose) -> None:
     document = work.document
     kept = document.new_pose(document.pose, command.name.strip())
     _check_free(document, kept)
-    _list(work, f"Keep {kept.name}", (*document.poses, kept))
+    add_pose(work, f"Keep {kept.name}", kept)
+
+
+def add_pose(work: Workspace, label: str, kept: KeptPose) -> None:
+    """Put one behind the kept ones; where the slider leads nowhere yet it leads there."""
+    _list(work, label, (*work.document.poses, kept))
     if work.blend.end == REST:
         work.blend = replace(work.blend, end=kept.key, pose=None)
 
@@ -117,6 +122,12 @@ def _pose(work: Workspace, key: int) -> Pose:
 def _check_free(document: Document, kept: KeptPose) -> None:
     if any(other.name == kept.name for other in document.poses if other.key != kept.key):
         raise c.CommandError(f"another pose is called {kept.name!r}, expected another name")
+
+
+def free_name(document: Document, name: str) -> str:
+    """That name, or where it is taken the one of a copy."""
+    taken = any(kept.name == name for kept in document.poses)
+    return _name_of_copy(document, name) if taken else name
 
 
 def _name_of_copy(document: Document, name: str) -> str:

@@ -1,0 +1,123 @@
+"""Other shapes of the mesh that is open: what is learned from them, and the poses that they show."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from app.editor import commands as c
+from app.editor.action import Actions
+from app.editor.actions.poses import add_pose, free_name
+from app.editor.solved import solved
+from app.model.document import Document
+from app.model.handles import GRAB, Pose
+from app.worker.apart import Tell, apart
+from app.worker.snapshot import snapshot
+from app.workspace.tasks import Steps, in_background
+from app.workspace.workspace import Workspace
+from solver import Mesh, MeshError, learn_softness, load_mesh
+from solver.geometry.procrustes import rigid_motion
+from solver.learning.examples import placed
+from solver.types import FloatArray
+
+
+def posed_vertices(path: Path, mesh: Mesh, name: Path) -> FloatArray:
+    """The positions of a mesh file with the polygons of `mesh`, called `name`. Raises SolverError."""
+    posed = load_mesh(path)
+    found, expected = len(posed.vertices), len(mesh.vertices)
+    if found != expected:
+        raise MeshError(f"{path}: {found} vertices, expected {expected}, as {name} has")
+    found_faces, faces = posed.outlines, mesh.outlines
+    same = np.array_equal(found_faces.sizes, faces.sizes)
+    if not (same and np.array_equal(found_faces.corners, faces.corners)):
+        raise MeshError(f"{path}: its faces are not those of {name}")
+    return posed.vertices
+
+
+def lesson(document: Document, poses: Sequence[FloatArray]) -> tuple[Any, ...]:
+    """What softness is learned from: the arguments of learn_softness but for its progress.
+
+    What the document holds is held; where nothing is fixed, or no handle has vertices, parts that
+    move rigidly stand in.
+    """
+    setup = document.setup()
+    fixed = setup.fixed if len(setup.fixed) else None
+    held = fixed, setup.handles or None, setup.material
+    return document.rest_positions, document.mesh.faces, poses, *held
+
+
+def learn(work: Workspace, command: c.LearnSoftness) -> None:
+    if not command.paths:
+        raise c.CommandError("no mesh to learn from, expected one or more")
+    work.tasks.begin("Learning softness", _learn(work, work.document.frozen(), command.paths))
+
+
+def _learn(work: Workspace, asked: Document, paths: Sequence[Path]) -> Steps[None]:
+    poses = yield from _read(asked, paths)
+    softness = yield from apart(_learned, lesson(asked, poses))
+    yield from _until_same(work, asked)
+    with work.edit("Learn softness") as gesture:
+        gesture.change("softness", softness, np.arange(len(softness)))
+    work.map = "softness"
+    work.say(f"Softness learned from {', '.join(path.name for path in paths)}")
+
+
+def _learned(given: tuple[Any, ...], tell: Tell) -> FloatArray:
+    return learn_softness(*given, tell)
+
+
+def keep_shown_pose(work: Workspace, command: c.AddPose) -> None:
+    if not any(key != GRAB for key in work.document.bound_keys):
+        raise c.CommandError("there is no handle yet: paint what is to go where the mesh has it")
+    name = f"Adding {command.path.name}"
+    work.tasks.begin(name, _keep(work, work.document.frozen(), command.path))
+
+
+def _keep(work: Workspace, asked: Document, path: Path) -> Steps[None]:
+    (positions,) = yield from _read(asked, [path])
+    if len(asked.fixed):
+        positions = placed(positions, asked.rest_positions, asked.fixed)
+    yield from _until_same(work, asked)
+    document = work.document
+    pose = shown_pose(document, positions)
+    work.reach.check_pose(document, pose)
+    kept = document.new_pose(pose, free_name(document, path.stem))
+    add_pose(work, f"Add {kept.name}", kept)
+    shape = yield from solved(work, snapshot(document).posed(pose))
+    away = np.linalg.norm(shape - positions, axis=1) / document.diagonal
+    rms = np.sqrt((away**2).mean())
+    work.say(
+        f"Kept {kept.name}: the surface is {rms:.2%} of its size from the mesh there, "
+        f"{away.max():.2%} at most"
+    )
+
+
+def shown_pose(document: Document, positions: FloatArray) -> Pose:
+    """Each handle where its vertices fit positions (n, 3) best, as a rigid motion."""
+    pose, rest = Pose(), document.rest_positions
+    for key in document.bound_keys:
+        if key != GRAB:
+            vertices = document.vertices_of(key)
+            pose = pose.moved(key, rigid_motion(rest[vertices], positions[vertices]))
+    return pose
+
+
+def _read(asked: Document, paths: Sequence[Path]) -> Steps[list[FloatArray]]:
+    read = yield from in_background(
+        lambda tell: [posed_vertices(path, asked.mesh, asked.path) for path in paths]
+    )
+    return read
+
+
+def _until_same(work: Workspace, asked: Document) -> Steps[None]:
+    """Wait for the hand to be free. Raises CommandError where another mesh is open by then."""
+    while work.interaction is not None:
+        yield None
+    if work.document.surface_number != asked.surface_number:
+        raise c.CommandError("another rest shape is there meanwhile: nothing was taken from meshes")
+
+
+POSED_MESH_ACTIONS: Actions = {c.LearnSoftness: learn, c.AddPose: keep_shown_pose}
