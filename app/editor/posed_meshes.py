@@ -1,4 +1,4 @@
-"""Other shapes of the mesh that is open: what is learned from them, and the poses that they show."""
+"""Other shapes of the mesh that is open: softness learned from them, poses that they show."""
 
 from __future__ import annotations
 
@@ -25,7 +25,10 @@ from solver.types import FloatArray
 
 
 def posed_vertices(path: Path, mesh: Mesh, name: Path) -> FloatArray:
-    """The positions of a mesh file with the polygons of `mesh`, called `name`. Raises SolverError."""
+    """The positions of a mesh file with the polygons of `mesh`, which is called `name`.
+
+    Raises SolverError.
+    """
     posed = load_mesh(path)
     found, expected = len(posed.vertices), len(mesh.vertices)
     if found != expected:

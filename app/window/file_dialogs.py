@@ -52,8 +52,7 @@ class FileDialogs:
         self._dialogs.close()
 
     def act(self, name: str, editor: Editor) -> c.Command | None:
-        """What "open", "learn", "add pose", "save", "save as", "export", "export as", "export poses" and the names of
-        films ask for.
+        """What a name of QUESTIONS, or "save as" or "export as", asks for.
 
         None where a dialog was opened to find out. Raises DialogError.
         """
