@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from app.editor.file_actions import load_document
-from app.editor.posed_meshes import lesson, posed_vertices
+from app.editor.lesson import lesson, posed_vertices
 from app.model.session import write_session
 from solver import learn_softness
 
@@ -20,7 +20,7 @@ def learn(mesh: Path, posed: Sequence[Path], session: Path | None, output: Path)
     document = load_document(mesh, session)
     poses = [posed_vertices(path, document.mesh, mesh) for path in posed]
     progress = _tell if sys.stderr.isatty() else None
-    softness = learn_softness(*lesson(document, poses), progress)
+    softness = learn_softness(**lesson(document, poses), progress=progress)
     document.change("softness", softness)
     write_session(output, document)
 

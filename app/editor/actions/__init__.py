@@ -8,6 +8,7 @@ from app.editor.actions.history import HISTORY_ACTIONS
 from app.editor.actions.marks import MARK_ACTIONS
 from app.editor.actions.parts import PART_ACTIONS
 from app.editor.actions.placing import PLACING_ACTIONS
+from app.editor.actions.posed_meshes import POSED_MESH_ACTIONS
 from app.editor.actions.poses import POSE_ACTIONS
 from app.editor.actions.regions import REGION_ACTIONS
 from app.editor.actions.rest import REST_ACTIONS
@@ -17,7 +18,6 @@ from app.editor.actions.symmetry import SYMMETRY_ACTIONS
 from app.editor.actions.view import VIEW_ACTIONS
 from app.editor.file_actions import FILE_ACTIONS
 from app.editor.pose_export import POSE_EXPORT_ACTIONS
-from app.editor.posed_meshes import POSED_MESH_ACTIONS
 
 ACTIONS: Actions = {
     **CHOICE_ACTIONS,

@@ -22,7 +22,8 @@ AWAY = motion(rotation([1, 1, 0], 70), [5.0, 0.0, 9.0])
 @pytest.fixture
 def person(tmp_path: Path) -> Iterator[Person]:
     """The bar, its left end fixed, the right one a handle."""
-    slab(20, 4, 2.0).save(str(tmp_path / "bar.obj"))
+    bar = slab(20, 4, 2.0)
+    bar.save(str(tmp_path / "bar.obj"), bar.vertices)
     person = Person(load_mesh(tmp_path / "bar.obj"), tmp_path / "bar.obj")
     person.ready_bar()
     yield person
@@ -110,7 +111,7 @@ def test_other_meshes_are_refused(
 ) -> None:
     path, before = tmp_path / "other.obj", state(person.editor.document)
     if mesh is not None:
-        mesh.save(str(path))
+        mesh.save(str(path), mesh.vertices)
     person.do(command(path))
     assert said in error_of(person)
     assert state(person.editor.document) == before

@@ -1,55 +1,26 @@
-"""Other shapes of the mesh that is open: softness learned from them, poses that they show."""
+"""What the commands do with other shapes of the mesh: learn from them, keep their poses."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from app.editor import commands as c
 from app.editor.action import Actions
 from app.editor.actions.poses import add_pose, free_name
+from app.editor.lesson import learned, lesson, posed_vertices
 from app.editor.solved import solved
 from app.model.document import Document
 from app.model.handles import GRAB, Pose
-from app.worker.apart import Tell, apart
+from app.worker.apart import apart
 from app.worker.snapshot import snapshot
 from app.workspace.tasks import Steps, in_background
 from app.workspace.workspace import Workspace
-from solver import Mesh, MeshError, learn_softness, load_mesh
 from solver.geometry.procrustes import rigid_motion
 from solver.learning.examples import placed
 from solver.types import FloatArray
-
-
-def posed_vertices(path: Path, mesh: Mesh, name: Path) -> FloatArray:
-    """The positions of a mesh file with the polygons of `mesh`, which is called `name`.
-
-    Raises SolverError.
-    """
-    posed = load_mesh(path)
-    found, expected = len(posed.vertices), len(mesh.vertices)
-    if found != expected:
-        raise MeshError(f"{path}: {found} vertices, expected {expected}, as {name} has")
-    found_faces, faces = posed.outlines, mesh.outlines
-    same = np.array_equal(found_faces.sizes, faces.sizes)
-    if not (same and np.array_equal(found_faces.corners, faces.corners)):
-        raise MeshError(f"{path}: its faces are not those of {name}")
-    return posed.vertices
-
-
-def lesson(document: Document, poses: Sequence[FloatArray]) -> tuple[Any, ...]:
-    """What softness is learned from: the arguments of learn_softness but for its progress.
-
-    What the document holds is held; where nothing is fixed, or no handle has vertices, parts that
-    move rigidly stand in.
-    """
-    setup = document.setup()
-    fixed = setup.fixed if len(setup.fixed) else None
-    held = fixed, setup.handles or None, setup.material
-    return document.rest_positions, document.mesh.faces, poses, *held
 
 
 def learn(work: Workspace, command: c.LearnSoftness) -> None:
@@ -60,16 +31,12 @@ def learn(work: Workspace, command: c.LearnSoftness) -> None:
 
 def _learn(work: Workspace, asked: Document, paths: Sequence[Path]) -> Steps[None]:
     poses = yield from _read(asked, paths)
-    softness = yield from apart(_learned, lesson(asked, poses))
+    softness = yield from apart(learned, lesson(asked, poses))
     yield from _until_same(work, asked)
     with work.edit("Learn softness") as gesture:
         gesture.change("softness", softness, np.arange(len(softness)))
     work.map = "softness"
     work.say(f"Softness learned from {', '.join(path.name for path in paths)}")
-
-
-def _learned(given: tuple[Any, ...], tell: Tell) -> FloatArray:
-    return learn_softness(*given, tell)
 
 
 def keep_shown_pose(work: Workspace, command: c.AddPose) -> None:
