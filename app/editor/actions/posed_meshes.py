@@ -87,7 +87,9 @@ def _until_same(work: Workspace, asked: Document) -> Steps[None]:
     while work.interaction is not None:
         yield None
     if work.document.surface_number != asked.surface_number:
-        raise c.CommandError("another rest shape is there meanwhile: nothing was taken from meshes")
+        raise c.CommandError(
+            "the mesh has another rest shape meanwhile: nothing was taken from files"
+        )
 
 
 POSED_MESH_ACTIONS: Actions = {c.LearnSoftness: learn, c.AddPose: keep_shown_pose}

@@ -78,7 +78,7 @@ def test_a_stroke_goes_on_while_it_learns_and_another_mesh_gets_nothing(person: 
     person.use("softness", 1.0)
     person.stroke([4, 2, 0], [5, 2, 0])
     assert person.editor.document.softness.max() > 0
-    person.do(c.ResetPose())
+    person.editor.complete()
     assert person.editor.history.done[-1].label == "Learn softness"
     begin(person, bent(person))
     person.editor.execute(c.OpenMesh(person.editor.document.path, fresh=True))
