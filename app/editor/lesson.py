@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from app.model.document import Document
-from app.worker.apart import Tell
 from solver import Mesh, MeshError, learn_softness, load_mesh
+from solver.mesh.progress import Progress
 from solver.types import FloatArray
 
 
@@ -47,6 +47,6 @@ def lesson(document: Document, poses: Sequence[FloatArray]) -> dict[str, Any]:
     }
 
 
-def learned(given: dict[str, Any], tell: Tell) -> FloatArray:
+def learned(given: dict[str, Any], tell: Progress) -> FloatArray:
     """The softness of a lesson, (n,), as `apart` wants it. Raises SolverError."""
     return learn_softness(**given, progress=tell)

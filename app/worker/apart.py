@@ -13,12 +13,12 @@ from app.worker.child import belong_to_window
 from app.worker.process import CONTEXT, started
 from app.worker.requests import WorkerError
 from solver.errors import SolverError
+from solver.mesh.progress import Progress
 
 T = TypeVar("T")
-Tell = Callable[[float], None]
 
 
-def apart(work: Callable[[Any, Tell], T], given: Any) -> Generator[float, None, T]:
+def apart(work: Callable[[Any, Progress], T], given: Any) -> Generator[float, None, T]:
     """What `work` returns or raises; yields how far it is. Its process ends where this is closed.
 
     work: a module's function of what is given and of what it tells how far it is, from 0 to 1.

@@ -34,7 +34,6 @@ def poses(editor: Editor, asked: list[c.Command]) -> None:
         "Add a pose from a mesh with the same vertices: handles go where it has them"
     )
     if kept:
-        psim.SameLine()
         _export(editor, asked)
         _rows(editor, asked)
         _blend(editor, asked)
