@@ -6,13 +6,11 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-
 from app.editor.file_actions import load_document
+from app.editor.lesson import lesson, posed_vertices
 from app.model.outputs import check_outputs
 from app.model.session_writing import write_session
-from solver import Mesh, MeshError, learn_softness, load_mesh
-from solver.types import FloatArray
+from solver import learn_softness
 
 
 def learn(
@@ -20,38 +18,16 @@ def learn(
 ) -> None:
     """Learn softness from meshes `posed` and write it, with all else of `session`, to `output`.
 
-    What the session holds stays held; where nothing is fixed, or no handle has vertices, parts that
-    move rigidly stand in. Files that are there are replaced only with `force`, and never one of
-    those that are read. Raises SolverError.
+    What the session holds stays held, see `lesson`. Files that are there are replaced only with
+    `force`, and never one of those that are read. Raises SolverError.
     """
     check_outputs([output], force, [mesh, *posed, *([session] if session else [])])
     document = load_document(mesh, session)
-    poses = [_pose(path, document.mesh, mesh) for path in posed]
-    setup = document.setup()
-    softness = learn_softness(
-        document.rest_positions,
-        document.mesh.faces,
-        poses,
-        setup.fixed if len(setup.fixed) else None,
-        setup.handles or None,
-        setup.material,
-        _tell if sys.stderr.isatty() else None,
-    )
+    poses = [posed_vertices(path, document.mesh, mesh) for path in posed]
+    progress = _tell if sys.stderr.isatty() else None
+    softness = learn_softness(**lesson(document, poses), progress=progress)
     document.change("softness", softness)
     write_session(output, document)
-
-
-def _pose(path: Path, mesh: Mesh, name: Path) -> FloatArray:
-    """The positions of a mesh file with the same polygons. Raises SolverError."""
-    posed = load_mesh(path)
-    found, expected = len(posed.vertices), len(mesh.vertices)
-    if found != expected:
-        raise MeshError(f"{path}: {found} vertices, expected {expected}, as {name} has")
-    found_faces, faces = posed.outlines, mesh.outlines
-    same = np.array_equal(found_faces.sizes, faces.sizes)
-    if not (same and np.array_equal(found_faces.corners, faces.corners)):
-        raise MeshError(f"{path}: its faces are not those of {name}")
-    return posed.vertices
 
 
 def _tell(fraction: float) -> None:

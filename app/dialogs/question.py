@@ -6,7 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-Purpose = Literal["open", "save", "export", "export poses", "turntable", "record"]
+Purpose = Literal[
+    "open", "learn", "add pose", "save", "export", "export poses", "turntable", "record"
+]
+READS = "open", "learn", "add pose"
 
 
 @dataclass(frozen=True)
@@ -25,7 +28,7 @@ class Kind:
 
 @dataclass(frozen=True)
 class Question:
-    """purpose: "open" asks for a file that is there, the others for where to write one.
+    """purpose: those of READS ask for a file that is there, the others for where to write one.
 
     path: the file that is proposed, or the folder to begin in.  kinds: the first is shown first.
     """
@@ -38,7 +41,7 @@ class Question:
     @property
     def saves(self) -> bool:
         """Whether a file is to be written: a dialog asks before one that is there is replaced."""
-        return self.purpose != "open"
+        return self.purpose not in READS
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,10 @@ from solver.mesh.formats.table import FORMATS
 MESHES = Kind("Meshes", tuple(FORMATS))
 SESSIONS = Kind("Sessions", (".json",))
 EXPORTS = "export", "export poses"  # both go where the last one went
+POSED: dict[str, Callable[[Path], c.Command]] = {
+    "learn": lambda path: c.LearnSoftness((path,)),
+    "add pose": c.AddPose,
+}
 FILM_NAMES = "turntable", "record"
 BOTH = Kind("Meshes and sessions", (*FORMATS, ".json"))
 FILM = Kind("Films", tuple(FILMS))
@@ -48,8 +52,7 @@ class FileDialogs:
         self._dialogs.close()
 
     def act(self, name: str, editor: Editor) -> c.Command | None:
-        """What "open", "save", "save as", "export", "export as", "export poses" and the names of
-        films ask for.
+        """What a name of QUESTIONS, or "save as" or "export as", asks for.
 
         None where a dialog was opened to find out. Raises DialogError.
         """
@@ -87,9 +90,21 @@ class FileDialogs:
 
 
 def _open(editor: Editor) -> Question:
+    return Question("open", "Open", _folder(editor), (BOTH, MESHES, SESSIONS))
+
+
+def _learn(editor: Editor) -> Question:
+    return Question("learn", "Learn softness from a pose", _folder(editor), (MESHES,))
+
+
+def _add_pose(editor: Editor) -> Question:
+    return Question("add pose", "Add a pose from a mesh", _folder(editor), (MESHES,))
+
+
+def _folder(editor: Editor) -> Path:
+    """Where the mesh lies, which may have others beside it."""
     mesh = editor.document.path
-    folder = Path.cwd() if is_bundled(mesh) else mesh.parent
-    return Question("open", "Open", folder, (BOTH, MESHES, SESSIONS))
+    return Path.cwd() if is_bundled(mesh) else mesh.parent
 
 
 def _save(editor: Editor) -> Question:
@@ -116,6 +131,8 @@ def _record(editor: Editor) -> Question:
 
 QUESTIONS: dict[str, Callable[[Editor], Question]] = {
     "open": _open,
+    "learn": _learn,
+    "add pose": _add_pose,
     "save": _save,
     "export": _export,
     "export poses": _export_poses,
@@ -128,6 +145,8 @@ def _command(name: str, path: Path, editor: Editor, asked: bool = False) -> c.Co
     """asked: whether the person has agreed to replace what is there."""
     if name == "open":
         return open_command(path)
+    if name in POSED:
+        return POSED[name](path)
     if name in FILM_NAMES:
         return TakeFilm(name, path, asked)
     if name == "export poses":

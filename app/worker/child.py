@@ -20,11 +20,7 @@ PR_SET_PDEATHSIG = 1
 
 def serve(connection: Connection) -> None:
     """Meet requests until the other side is gone."""
-    # Ctrl+C and the like in a terminal reach both processes; the window decides what they mean.
-    for key in ("SIGINT", "SIGQUIT"):
-        if hasattr(signal, key):
-            signal.signal(getattr(signal, key), signal.SIG_IGN)
-    _end_with_parent()
+    belong_to_window()
     service, guest = SolverService(), Guest()
     while True:
         try:
@@ -34,6 +30,15 @@ def serve(connection: Connection) -> None:
             connection.send(Packed(answer).put(memory))
         except (EOFError, OSError):
             return
+
+
+def belong_to_window() -> None:
+    """Of a process: end with the window, and leave to it what a terminal says."""
+    # Ctrl+C and the like in a terminal reach both processes; the window decides what they mean.
+    for key in ("SIGINT", "SIGQUIT"):
+        if hasattr(signal, key):
+            signal.signal(getattr(signal, key), signal.SIG_IGN)
+    _end_with_parent()
 
 
 def _end_with_parent() -> None:

@@ -6,8 +6,9 @@ import multiprocessing
 import os
 import signal
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 
 from app.worker.child import serve
@@ -21,6 +22,15 @@ CONTEXT = multiprocessing.get_context("spawn")
 # processors busy they wait for each other: five times as long for a rigid level.
 ONE_THREAD = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 GRACE = 1.0  # seconds that a killed process has to be gone before nobody waits for it
+
+
+def started(name: str, target: Callable[[Connection], None], theirs: Connection) -> BaseProcess:
+    """A process that has its end of a pipe. Returns at once. Raises OSError where there is none."""
+    process = CONTEXT.Process(target=target, args=(theirs,), name=name, daemon=True)
+    with _in_environment(dict.fromkeys(ONE_THREAD, "1")), _interrupts_held():
+        process.start()
+    theirs.close()  # else the pipe would stay open when the process is gone
+    return process
 
 
 class SolverProcess:
@@ -51,11 +61,7 @@ class SolverProcess:
         if self._process is not None:
             return
         ours, theirs = CONTEXT.Pipe()
-        process = CONTEXT.Process(target=serve, args=(theirs,), name="solver", daemon=True)
-        with _in_environment(dict.fromkeys(ONE_THREAD, "1")), _interrupts_held():
-            process.start()
-        theirs.close()  # else the pipe would stay open when the process is gone
-        self._process, self._courier = process, Courier(ours)
+        self._process, self._courier = started("solver", serve, theirs), Courier(ours)
 
     def send(self, request: Request) -> None:
         """Hand over a request. Raises OSError where there is no process."""

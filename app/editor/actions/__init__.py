@@ -8,6 +8,7 @@ from app.editor.actions.history import HISTORY_ACTIONS
 from app.editor.actions.marks import MARK_ACTIONS
 from app.editor.actions.parts import PART_ACTIONS
 from app.editor.actions.placing import PLACING_ACTIONS
+from app.editor.actions.posed_meshes import POSED_MESH_ACTIONS
 from app.editor.actions.poses import POSE_ACTIONS
 from app.editor.actions.regions import REGION_ACTIONS
 from app.editor.actions.rest import REST_ACTIONS
@@ -33,4 +34,5 @@ ACTIONS: Actions = {
     **VIEW_ACTIONS,
     **FILE_ACTIONS,
     **POSE_EXPORT_ACTIONS,
+    **POSED_MESH_ACTIONS,
 }

@@ -22,7 +22,12 @@ def keep_pose(work: Workspace, command: c.KeepPose) -> None:
     document = work.document
     kept = document.new_pose(document.pose, command.name.strip())
     _check_free(document, kept)
-    _list(work, f"Keep {kept.name}", (*document.poses, kept))
+    add_pose(work, f"Keep {kept.name}", kept)
+
+
+def add_pose(work: Workspace, label: str, kept: KeptPose) -> None:
+    """Put one behind the kept ones; where the slider leads nowhere yet it leads there."""
+    _list(work, label, (*work.document.poses, kept))
     if work.blend.end == REST:
         work.blend = replace(work.blend, end=kept.key, pose=None)
 

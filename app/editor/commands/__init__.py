@@ -15,6 +15,7 @@ from app.editor.commands.placing import (
     TurnHandles,
 )
 from app.editor.commands.poses import (
+    AddPose,
     BlendPoses,
     ChooseBlend,
     DeletePose,
@@ -40,13 +41,20 @@ from app.editor.commands.regions import (
     SelectHandle,
 )
 from app.editor.commands.settings import SetMaterial, SetSetting
-from app.editor.commands.softness import ClearPins, ClearSoftness, FillSoftness, SmoothSoftness
+from app.editor.commands.softness import (
+    ClearPins,
+    ClearSoftness,
+    FillSoftness,
+    LearnSoftness,
+    SmoothSoftness,
+)
 from app.editor.commands.symmetry import MirrorPose, MirrorRegions, SetSymmetry, ToggleSymmetry
 from app.editor.commands.view import FrameSelected, FrameVertices, SetLooks, SetUp, ViewFrom
 
 __all__ = [
     "ActivateHandle",
     "AddHandle",
+    "AddPose",
     "BlendPoses",
     "CancelGesture",
     "CancelTask",
@@ -69,6 +77,7 @@ __all__ = [
     "FrameVertices",
     "GoToPose",
     "KeepPose",
+    "LearnSoftness",
     "MakeRest",
     "MirrorPose",
     "MirrorRegions",

@@ -97,6 +97,13 @@ class ExportPoses(Command):
 
 
 @dataclass(frozen=True)
+class AddPose(Command):
+    """Keep the pose in which handles are where a mesh with the same vertices has them."""
+
+    path: Path
+
+
+@dataclass(frozen=True)
 class MakeRest(Command):
     """The surface as it is becomes the rest shape; kept poses lead where they did."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import ClassVar
 
 from app.editor.commands.command import Command
@@ -31,3 +32,10 @@ class SmoothSoftness(Command):
 @dataclass(frozen=True)
 class ClearPins(Command):
     """Pin nothing; the softness stays."""
+
+
+@dataclass(frozen=True)
+class LearnSoftness(Command):
+    """Find the softness with which the surface takes the shapes of meshes with its vertices."""
+
+    paths: tuple[Path, ...]

@@ -12,7 +12,7 @@ from app.editor.file_actions import open_command
 from app.editor.file_paths import default_export_path, default_session_path
 from app.model.session_files import session_name
 from app.telling import readable
-from app.window.file_dialogs import FileDialogs
+from app.window.file_dialogs import POSED, FileDialogs
 from app.window.panel.widgets import (
     REST_OF_LINE,
     disabled,
@@ -38,10 +38,12 @@ class FileRows:
         self._dialogs = dialogs
         self._open = ""
         self._session, self._export = _PathField(), _PathField()
+        self._posed = dict.fromkeys(POSED, "")
         self._used = ""
 
     def use(self, name: str) -> None:
-        """As if a row had been used: "open" goes to its field, "save" and "export" do it.
+        """As if a row had been used: "open", "learn" and "add pose" go to their fields,
+        "save" and "export" do it.
 
         "export poses" does it where "export" would.
         """
@@ -83,6 +85,12 @@ class FileRows:
         self._open, go = _row("Open", "drop a file or type", self._open)
         if go and self._open.strip():
             asked.append(open_command(typed_path(self._open)))
+        for name, label in (("learn", "Learn from"), ("add pose", "Add pose")):
+            if self._used == name:
+                psim.SetKeyboardFocusHere()
+            self._posed[name], go = _row(label, "the mesh in a pose", self._posed[name])
+            if go and self._posed[name].strip():
+                asked.append(POSED[name](typed_path(self._posed[name])))
         proposed = default_session_path(editor)
         session, go = self._session.draw("Save session", "session (.json)", proposed)
         if go or self._used == "save":

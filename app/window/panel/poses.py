@@ -27,8 +27,13 @@ def poses(editor: Editor, asked: list[c.Command]) -> None:
     if psim.Button("Keep pose"):
         asked.append(c.KeepPose())
     psim.SetItemTooltip("Put where the handles are now into the list")
+    psim.SameLine()
+    if psim.Button("Add ..."):
+        asked.append(WindowAction("add pose"))
+    psim.SetItemTooltip(
+        "Add a pose from a mesh with the same vertices: handles go where it has them"
+    )
     if kept:
-        psim.SameLine()
         _export(editor, asked)
         _rows(editor, asked)
         _blend(editor, asked)

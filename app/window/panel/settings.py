@@ -19,6 +19,7 @@ from app.window.panel.widgets import (
     logarithmic,
 )
 from app.window.scaling import scaled
+from app.window.shortcuts import WindowAction
 from solver.softness.material import PRESETS, Material, resolve_material
 
 SMALLEST_GAIN, LARGEST_GAIN = 0.01, 10.0
@@ -59,6 +60,9 @@ def soft_parts(editor: Editor, asked: list[c.Command]) -> None:
     gains = resolve_material(material)
     if changed:
         asked.append(c.SetMaterial(gains if names[index] == "custom" else names[index]))
+    if psim.Button("Learn from a pose ..."):
+        asked.append(WindowAction("learn"))
+    psim.SetItemTooltip("Find the softness with which the mesh takes a shape that another file has")
     if not psim.TreeNode("gains, bending length, rounds"):
         return
     for label in halves("bending", "stretching"):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -123,6 +123,27 @@ def test_an_export_of_poses_asks_as_an_export_does_and_has_the_shapes_between(
     assert clerk.asked[0].path == tmp_path / "m-deformed.obj"
     clerk.path = tmp_path / "film.glb"
     assert files.poll(person.editor) == c.ExportPoses(tmp_path / "film.glb", 3, replace=True)
+
+
+@pytest.mark.parametrize(
+    ("name", "command"), [("learn", lambda path: c.LearnSoftness((path,))), ("add pose", c.AddPose)]
+)
+def test_a_mesh_in_another_pose_is_asked_for_among_those_beside_the_mesh(
+    clerk: Clerk,
+    person: Person,
+    tmp_path: Path,
+    name: str,
+    command: Callable[[Path], c.Command],
+) -> None:
+    files = FileDialogs(clerk)
+    for _ in range(2):
+        assert files.act(name, person.editor) is None, "it asks every time"
+        question = clerk.asked[-1]
+        assert not question.saves
+        assert question.path == tmp_path
+        assert set(question.kinds[0].suffixes) == set(FORMATS), "no session"
+    clerk.path = tmp_path / "bent.glb"
+    assert files.poll(person.editor) == command(tmp_path / "bent.glb")
 
 
 @pytest.mark.parametrize(
