@@ -29,6 +29,8 @@ from solver.types import FloatArray
 from tests.fuzz import corpus, surfaces
 from tests.fuzz.mutator import damaged, damaged_json
 
+Trial = Callable[[Random, Path], None]
+
 SECONDS = 10.0
 BYTES = 2 * 2**30
 LONGEST_LINE = 2000
@@ -144,7 +146,7 @@ def _alike(a: Any, b: Any, exact: bool = True) -> bool:
     return bool(a == b if exact else abs(a - b) < 1e-6)
 
 
-TRIALS: dict[str, Callable[[Random, Path], None]] = {
+TRIALS: dict[str, Trial] = {
     "mesh file": _mesh_file,
     "session": _session,
     "solver": surfaces.deform,
