@@ -16,7 +16,7 @@ EXTREME = (
 CONTROL = (b"\0", b"\x1b[2J", b"\r", b"\n", b"\x0b", b"\x85", b"\xff\xfe", b"\xe2\x80\xa8", b"\\\n")
 NUMBER = re.compile(rb"[-+]?\d[\d.eE+-]*")
 LARGEST = 200_000  # bytes: what is damaged stays small
-VALUES = (
+VALUES: tuple[Any, ...] = (
     *(None, True, -1, 0, 0.5, 10**30, 1e308, -1e308, 1e-320, float("nan"), float("inf")),
     *("", "x", "\n\x1b[2J", [], {}, [[]], [0], 2**31, 2**63, [None], "../" * 9, "data:,"),
 )
@@ -105,7 +105,14 @@ def _flip(random: Random, data: bytes) -> bytes:
 def _word(random: Random, data: bytes) -> bytes:
     """Four bytes as a number of a binary file might be."""
     a = random.randrange(len(data) + 1)
-    words = b"\0" * 4, b"\xff" * 4, b"\0\0\x80\x7f", b"\0\0\xc0\x7f", b"\xff\xff\x7f\x7f", b"\1\0\0\0"
+    words = (
+        b"\0" * 4,
+        b"\xff" * 4,
+        b"\0\0\x80\x7f",
+        b"\0\0\xc0\x7f",
+        b"\xff\xff\x7f\x7f",
+        b"\1\0\0\0",
+    )
     return data[:a] + random.choice(words) + data[a + 4 :]
 
 

@@ -8,7 +8,7 @@ from random import Random
 
 import pytest
 
-from solver import SolverError
+from solver import SolverError, load_mesh
 from tests.fuzz import trials
 from tests.fuzz.corpus import mesh_files
 from tests.fuzz.mutator import MUTATIONS
@@ -26,9 +26,9 @@ def test_files_that_are_damaged_are_whole_before(name: str, tmp_path: Path) -> N
     (tmp_path / name).write_bytes(mesh_files()[name])
     if name in ("binary.off", "circle.gltf"):
         with pytest.raises(SolverError):
-            trials.load_mesh(tmp_path / name)
+            load_mesh(tmp_path / name)
     else:
-        assert len(trials.load_mesh(tmp_path / name).faces)
+        assert len(load_mesh(tmp_path / name).faces)
 
 
 def _warns(random: Random, folder: Path) -> None:
@@ -48,7 +48,7 @@ def test_all_else_is_a_finding(
     trial: trials.Trial, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(trials.TRIALS, "session", trial)
-    with pytest.raises(trials.Finding, match="^session 7: "):
+    with pytest.raises(trials.Finding, match=r"^session 7: "):
         trials.run("session", 7, tmp_path / "trial")
 
 

@@ -11,6 +11,8 @@ import time
 from pathlib import Path
 from random import Random
 
+from app.model.document import Document
+from app.model.session import read_session, to_document
 from solver import load_mesh
 from tests.app.person import slab
 
@@ -18,6 +20,7 @@ from .display import VirtualDisplay
 from .person import Person, wait_until
 
 PAUSE = 0.012  # seconds between two events: about a frame
+ANSWER = 0.7  # seconds within which a small session is saved
 BATCH = 40  # events that xdotool is given at once
 KEYS = (
     *("1", "2", "3", "4", "5", "g", "r", "f", "k", "x", "y", "z", "Home", "F1", "Escape", "grave"),
@@ -76,17 +79,65 @@ class Clicker:
         return down + [word for key in reversed(keys) for word in self._event("keyup", key)]
 
 
-def clicked(person: Person, folder: Path, events: int, seed: int) -> Clicker:
-    """After so many events the window still answers, and saves what can be opened.
+def survives(person: Person, mesh: Path, events: int, seed: int) -> Document:
+    """What the window saves after so many events, read again; the open mesh has its old bytes.
 
-    folder: of a mesh plate.obj, which is open, and out.obj, where exports go.
+    AssertionError where the window no longer answers, or has printed a traceback.
     """
-    before = (folder / "plate.obj").read_bytes()
-    clicker = Clicker(person, Random(seed))
+    before = mesh.read_bytes()
+    clicker = Clicker(person, Random(f"clicks {seed}"))
     clicker.go(events)
-    session = folder / "after.json"
-    _save_as(person, session)
-    assert (folder / "plate.obj").read_bytes() == before
-    assert load_mesh(folder / "plate.obj").vertices.shape
-    assert "Traceback" not in person.output()
-    return clicker
+    document = _saved(person, mesh.parent)
+    assert mesh.read_bytes() == before, "the open mesh was replaced"
+    assert "Traceback" not in person.output(), person.output()
+    return document
+
+
+def _saved(person: Person, folder: Path) -> Document:
+    """Save as somebody would who finds the window in any state: out of what is open, then Ctrl+S.
+
+    What is asked then is whether files are replaced: Enter agrees.
+    """
+    for path in folder.glob("*.json"):
+        path.unlink()
+
+    def saved() -> bool:
+        for key in ("Escape", "Escape", "Escape", "ctrl+s"):
+            person.key(key)
+        time.sleep(ANSWER)
+        if not (files := list(folder.glob("*.json"))):
+            person.key("Return")
+            time.sleep(ANSWER)
+            files = list(folder.glob("*.json"))
+        return bool(files)
+
+    wait_until(saved, 60, "a session that is saved")
+    session = read_session(next(folder.glob("*.json")))
+    return to_document(session, load_mesh(session.mesh_path), session.mesh_path)
+
+
+def main(events: int = 20_000, seed: int = 0) -> None:
+    """In a window of its own, and a line of what was done."""
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+        (folder / "screen").mkdir()
+        mesh, display = plate(folder), VirtualDisplay(folder / "screen")
+        person = Person(display, [mesh.name, "--export", "out.obj"], folder)
+        try:
+            document = survives(person, mesh, events, seed)
+        finally:
+            person.leave()
+            display.stop()
+    kept = f"{len(document.handles)} handles, {len(document.poses)} kept poses"
+    print(f"{events} events of seed {seed}: the window answers, and saved {kept}")
+
+
+def plate(folder: Path) -> Path:
+    """A small mesh in a folder."""
+    mesh = slab(20, 8, 0.2)
+    mesh.save(folder / "plate.obj", mesh.vertices)
+    return folder / "plate.obj"
+
+
+if __name__ == "__main__":
+    main(*map(int, sys.argv[1:]))
