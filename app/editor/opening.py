@@ -40,6 +40,8 @@ class Beside:
 
 def sessions_beside(mesh: Path) -> Beside:
     """The session where saving would propose one, and those with a number behind that name."""
+    if mesh.is_dir():  # which may have no name; reading it will say so
+        return Beside()
     proposed = writable(mesh.with_suffix(SUFFIX))
     found, fault = list[Session](), None
     for path in _named_like(proposed):

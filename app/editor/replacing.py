@@ -43,8 +43,10 @@ def ask_before(
 ) -> None:
     """Raise Asks where a command would replace what is not the open document's own.
 
-    files: what is written where the command goes to a path.
+    Raise CommandError for a folder. files: what is written where the command goes to a path.
     """
+    if path.is_dir():
+        raise c.CommandError(f"{whole(path)} is a folder, expected a file")
     there = [] if command.replace else [f for f in files(path) if not work.own.may_replace(f)]
     if not there:
         return

@@ -23,5 +23,10 @@ def is_session(path: Path) -> bool:
 
 
 def session_name(path: Path) -> Path:
-    """The same with the suffix of sessions, which is added where there is another one."""
-    return path if path.suffix.lower() == SUFFIX else path.with_name(path.name + SUFFIX)
+    """The same with the suffix of sessions, which is added where there is another one.
+
+    What can only be a folder, ".", ".." or "/", stays as it is.
+    """
+    if path.name in ("", "..") or path.suffix.lower() == SUFFIX:
+        return path
+    return path.with_name(path.name + SUFFIX)

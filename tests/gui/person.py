@@ -100,6 +100,10 @@ class Person:
         assert not check or done.returncode == 0, f"{command}: {done.stderr}"
         return done.stdout
 
+    def send(self, *words: object) -> None:
+        """Any events, in xdotool's words; positions are of the screen, as the window's are."""
+        self._xdotool(*words)
+
     # The mouse
 
     def _to(self, point: Point) -> list[object]:

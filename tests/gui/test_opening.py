@@ -50,6 +50,13 @@ def test_what_cannot_be_opened_is_a_message(plate: Scene, tmp_path: Path) -> Non
     assert person.quit() == 0
 
 
+def test_the_row_of_a_path_unfolds_when_its_key_is_pressed(plate: Scene) -> None:
+    plate.person.choose("Files", 0.3)
+    wait_until(lambda: not plate.person.shows("Export mesh"), what="it is folded")
+    assert plate.save_session()["mesh"]["path"] == "plate.obj"
+    plate.person.widget("Export mesh")
+
+
 def test_preferences_that_cannot_be_read_are_in_nobodys_way(
     open_window: Opener, tmp_path: Path
 ) -> None:

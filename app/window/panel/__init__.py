@@ -46,7 +46,7 @@ class Panel:
         self._sections = (
             *SECTIONS,
             Section("View", looking.draw, TALL),
-            Section("Files", file_rows.draw),
+            Section("Files", file_rows.draw, unfolds=lambda: file_rows.used),
         )
 
     def draw(self, editor: Editor) -> list[c.Command]:

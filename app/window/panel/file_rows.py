@@ -49,6 +49,11 @@ class FileRows:
         """
         self._used = name
 
+    @property
+    def used(self) -> bool:
+        """Whether they have to be drawn, for `use` to come true."""
+        return bool(self._used)
+
     def forget(self) -> None:
         """Another document is open: propose its own paths again."""
         self._session, self._export = _PathField(), _PathField()

@@ -28,13 +28,14 @@ class Section:
     """title: of the header that folds it, empty for what is always there.  draw: its rows.
 
     open_from: how high the window has to be for it to be open at the start.
-    needed: whether there is anything to show.
+    needed: whether there is anything to show.  unfolds: whether it is open now, however it was.
     """
 
     title: str
     draw: Callable[[Editor, list[c.Command]], None]
     open_from: float = ALWAYS
     needed: Callable[[Editor], bool] = lambda editor: True
+    unfolds: Callable[[], bool] = lambda: False
 
 
 SECTIONS = (
@@ -58,6 +59,8 @@ def draw_section(section: Section, editor: Editor, asked: list[c.Command]) -> No
     if section.title:
         height = psim.GetIO().DisplaySize[1]
         psim.SetNextItemOpen(height >= scaled(section.open_from), psim.ImGuiCond_Once)
+        if section.unfolds():
+            psim.SetNextItemOpen(True)
         if not psim.CollapsingHeader(section.title):
             return
     section.draw(editor, asked)

@@ -47,11 +47,11 @@ class GltfSource:
             primitives = self.gltf.json["meshes"][part.mesh]["primitives"]
             used = (primitives[i]["attributes"].get("COLOR_0") for i in part.primitives)
             number = next((number for number in used if number is not None), None)
-            if number is not None:
-                kind = self.gltf.json["accessors"][number]["type"]
+            kind = None if number is None else self.gltf.json["accessors"][number]["type"]
+            if number is not None and kind in ("VEC3", "VEC4"):
                 with suppress(MeshError), np.errstate(invalid="ignore"):
                     values = read_floats(self.gltf, number, kind)
-                    if kind in ("VEC3", "VEC4") and len(values) == part.count:
+                    if len(values) == part.count:
                         result[part.vertices] = from_light(rgba(values))
         return result
 

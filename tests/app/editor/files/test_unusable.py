@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from app.editor import commands as c
+from app.model.session_files import session_name
 from solver import Mesh
 from tests.app.person import Person, error_of
 
@@ -30,5 +32,27 @@ def test_a_mesh_of_no_usable_size_is_not_opened(
     before = ready.editor.document
     ready.do(c.OpenMesh(path))
     assert error_of(ready).startswith(str(path))
+    assert words in error_of(ready)
+    assert ready.editor.document is before
+
+
+@pytest.mark.parametrize("path", [Path("."), Path("/"), Path("..")], ids=str)
+@pytest.mark.parametrize(
+    ("command", "words"),
+    [
+        (c.OpenMesh, "unknown mesh format"),
+        (c.OpenSession, "expected a file"),
+        (lambda path: c.SaveSession(session_name(path)), "is a folder, expected a file"),
+        (c.Export, "is a folder, expected a file"),
+        (c.ExportPoses, "unknown mesh format"),
+    ],
+    ids=["open", "open session", "save", "export", "export poses"],
+)
+def test_a_folder_that_is_typed_in_place_of_a_file_is_a_message(
+    ready: Person, command: Callable[[Path], c.Command], words: str, path: Path
+) -> None:
+    ready.do(c.KeepPose())
+    before = ready.editor.document
+    ready.do(command(path))
     assert words in error_of(ready)
     assert ready.editor.document is before

@@ -102,3 +102,14 @@ def test_sparse_values_replace_those_of_a_base_or_zeros(tmp_path: Path, based: b
     expected = np.full_like(P, 8.0 if based else 0.0)
     expected[at] = P[at]
     assert scene.load(tmp_path).vertices.tolist() == expected.tolist()
+
+
+def test_colours_of_an_unknown_type_are_none(tmp_path: Path) -> None:
+    scene, primitive = strip()
+    primitive["attributes"]["COLOR_0"] = scene.accessor(np.ones((len(P), 3)))
+    scene.json["accessors"][primitive["attributes"]["COLOR_0"]]["type"] = "data:,"
+    mesh = scene.load(tmp_path)
+    assert mesh.colours is not None
+    assert (mesh.colours() == 1).all()
+    mesh.save(tmp_path / "out.obj", mesh.vertices)
+    assert (tmp_path / "out.obj").exists()
