@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from solver.bound_surface import BoundSurface
 from solver.coarse_surface import CoarseSurface, bind_surface, rebind_surface
+from solver.drag import Drag
 from solver.errors import ConstraintError
 from solver.limits import HIGHEST_LEVEL
 from solver.linear.drag_model import DragModel, Transforms
@@ -154,6 +155,20 @@ class Deformer:
         np.float64(17.5)
         """
         return self.drag_model.orient(handle, grabbed, target, transforms)
+
+    def drag(self) -> Drag:
+        """A new drag: `move` and `orient` as `pose` and `orient`, each on from the last.
+
+        >>> drag = deformer.drag()
+        >>> for degrees in range(0, 361, 15):  # once about the x axis
+        ...     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+        ...     turn = [[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]]
+        ...     X = drag.move([turn], rigid=4)
+        >>> X[[2, 5]].round(9) + 0.0  # back where it was
+        array([[2., 0., 0.],
+               [2., 1., 0.]])
+        """
+        return Drag(self._bound)
 
     def rebind(self, **changes: Any) -> Deformer:
         """A Deformer with some of the constructor's options changed.
