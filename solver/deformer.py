@@ -5,14 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.bound_surface import BoundSurface
 from solver.coarse_surface import CoarseSurface, bind_surface, rebind_surface
-from solver.drag import Drag
-from solver.errors import ConstraintError
-from solver.limits import HIGHEST_LEVEL
+from solver.drag import Drag, as_level
 from solver.linear.drag_model import DragModel, Transforms
 from solver.linear.system import System
 from solver.setup import Setup
@@ -114,7 +111,7 @@ class Deformer:
         array([[0., 0., 0.],
                [0., 1., 0.]])
         """
-        return self._bound.posed(transforms, _as_level(rigid))
+        return self._bound.posed(transforms, as_level(rigid))
 
     def solve(self, targets: ArrayLike, rigid: int = 0) -> FloatArray:
         """X, (n, 3), for any target positions (k, 3) of np.concatenate(handles).
@@ -125,7 +122,7 @@ class Deformer:
         >>> deformer.solve([[2, 0, 1], [2, 1, 1]])[1].round(2)
         array([1. , 0. , 0.5])
         """
-        return self._bound.solved(targets, _as_level(rigid))
+        return self._bound.solved(targets, as_level(rigid))
 
     def frames(self, transforms: Transforms) -> FloatArray:
         """G, (m, 3, 3): the linear frames, rest to deformed; the identity at rest.
@@ -230,10 +227,3 @@ def _deformer(bound: BoundSurface | CoarseSurface) -> Deformer:
     deformer = object.__new__(Deformer)
     deformer._bound = bound
     return deformer
-
-
-def _as_level(rigid: int) -> int:
-    whole = isinstance(rigid, int | np.integer) and not isinstance(rigid, bool)
-    if not (whole and 0 <= rigid <= HIGHEST_LEVEL):
-        raise ConstraintError(f"rigid must be an integer from 0 to {HIGHEST_LEVEL}, got {rigid!r}")
-    return int(rigid)

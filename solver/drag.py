@@ -10,10 +10,12 @@ from scipy.spatial.transform import Rotation
 
 from solver.bound_surface import BoundSurface
 from solver.coarse_surface import CoarseSurface
+from solver.errors import ConstraintError
 from solver.geometry.bounding_box import diagonal
 from solver.geometry.motions import motion
 from solver.geometry.procrustes import decided
 from solver.geometry.screws import blended
+from solver.limits import HIGHEST_LEVEL
 from solver.types import FloatArray
 
 # In radians: further than this no handle turns at once, so that the surface goes the same way.
@@ -56,10 +58,11 @@ class Drag:
         >>> np.array_equal(drag.move([T]), deformer.pose([T], rigid=4))
         True
         """
-        if rigid == 0:
+        level = as_level(rigid)
+        if level == 0:
             return self._bound.posed(transforms, 0)
         for T in self._way(transforms):
-            X, self._rotations = self._bound.continued(T, rigid, self._rotations)
+            X, self._rotations = self._bound.continued(T, level, self._rotations)
             self._transforms = T
         return X
 
@@ -126,3 +129,11 @@ def _towards(R: FloatArray, best: FloatArray, most: float) -> FloatArray:
     if angle <= most:
         return best
     return np.asarray(Rotation.from_rotvec(most / angle * turn).as_matrix() @ R)
+
+
+def as_level(rigid: int) -> int:
+    """`rigid` as it was given, where it is a level. Raises ConstraintError."""
+    whole = isinstance(rigid, int | np.integer) and not isinstance(rigid, bool)
+    if not (whole and 0 <= rigid <= HIGHEST_LEVEL):
+        raise ConstraintError(f"rigid must be an integer from 0 to {HIGHEST_LEVEL}, got {rigid!r}")
+    return int(rigid)

@@ -158,6 +158,8 @@ def test_what_is_refused_is_not_remembered() -> None:
         one.move([])
     with pytest.raises(ConstraintError, match="last row 0 0 0 1"):
         one.move([np.ones((4, 4))])
+    with pytest.raises(ConstraintError, match="rigid must be an integer from 0"):
+        one.move(twist(30), -1)
     np.testing.assert_array_equal(one.move(twist(40)), other.move(twist(40)))
 
 
