@@ -5,6 +5,7 @@ X = deformer.pose([T])
 """
 
 from solver.deformer import Deformer
+from solver.drag import Drag
 from solver.errors import (
     ConstraintError,
     FactorizationError,
@@ -25,6 +26,7 @@ __all__ = [
     "PRESETS",
     "ConstraintError",
     "Deformer",
+    "Drag",
     "FactorizationError",
     "FileError",
     "FundamentalForms",

@@ -127,8 +127,18 @@ class BoundSurface:
         """The shown mesh (n', 3) for one transform (4, 4) a handle. Raises ConstraintError."""
         if level == 0:
             return self.drag_model.pose(transforms)
-        pose = self.refined(self.displacement(transforms), transforms, level)
-        return self._rigid(pose)
+        return self.continued(transforms, level)[0]
+
+    def continued(
+        self, transforms: Sequence[ArrayLike], level: int, before: FloatArray | None = None
+    ) -> tuple[FloatArray, FloatArray]:
+        """The shown mesh (n', 3) at a level of 1 or more, and the rotations that it has.
+
+        Rows (a, 3, 3) of R' of active triangles, as `before`, from which rounds start if given.
+        Raises ConstraintError.
+        """
+        pose = self.refined(self.displacement(transforms), transforms, level, before)
+        return self._rigid(pose), pose.rotations
 
     def solved(self, targets: ArrayLike, level: int) -> FloatArray:
         """The shown mesh (n', 3) for targets of the handles' vertices. Raises ConstraintError."""
@@ -175,11 +185,20 @@ class BoundSurface:
         return U, motions
 
     def refined(
-        self, displacement: FloatArray, transforms: Sequence[ArrayLike], level: int
+        self,
+        displacement: FloatArray,
+        transforms: Sequence[ArrayLike],
+        level: int,
+        before: FloatArray | None = None,
     ) -> RigidPose:
-        """The solved surface at a rigid level of 1 or more, from the linear displacement."""
-        others = self._other_rotations(transforms) if level > 1 else ()
-        return self._levels.refine(self.rest.affine_rows[:, :3] + displacement, level, others)
+        """The solved surface at a rigid level of 1 or more, from the linear displacement.
+
+        before: see `continued`.
+        """
+        U = self.rest.affine_rows[:, :3] + displacement
+        ambiguous = level > 1 and before is None
+        others = self._other_rotations(transforms) if ambiguous else ()
+        return self._levels.refine(U, level, others, before)
 
     def _rigid(self, pose: RigidPose) -> FloatArray:
         moved = self.embedding.apply_rigid(pose.positions - self.rest.points, pose.rotations)

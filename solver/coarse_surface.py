@@ -123,9 +123,16 @@ class CoarseSurface:
         """The shown mesh (n', 3) for one transform (4, 4) a handle. Raises ConstraintError."""
         if level == 0:
             return self.drag_model.pose(transforms)
+        return self.continued(transforms, level)[0]
+
+    def continued(
+        self, transforms: Sequence[ArrayLike], level: int, before: FloatArray | None = None
+    ) -> tuple[FloatArray, FloatArray]:
+        """See BoundSurface.continued; the rotations are those of the coarse surface."""
         displacement = self.coarse.displacement(transforms)
         moved = self._basis @ self.drag_model.steps(transforms)
-        return self._refined(displacement, moved, transforms, level)
+        R = self.coarse.refined(displacement, transforms, level, before).rotations
+        return self._fine(displacement, moved, transforms, R), R
 
     def solved(self, targets: ArrayLike, level: int) -> FloatArray:
         """The shown mesh (n', 3) for targets of the handles' vertices. Raises ConstraintError."""
@@ -141,7 +148,8 @@ class CoarseSurface:
         moved = self.held.border.meet(self.carrier.carry(displacement), wanted)
         if level == 0:
             return self._shown(moved)
-        return self._refined(displacement, moved, motions, level)
+        R = self.coarse.refined(displacement, motions, level).rotations
+        return self._fine(displacement, moved, motions, R)
 
     def frames(self, transforms: Transforms) -> FloatArray:
         """G, (m, 3, 3): the linear frames of the fine surface's triangles."""
@@ -175,19 +183,20 @@ class CoarseSurface:
         parts = zip(handles, self.held.setup.handles, splits, strict=False)  # none: one empty split
         return [(own, self.embedding.targets(named, goal, own)) for named, own, goal in parts]
 
-    def _refined(
+    def _fine(
         self,
         displacement: FloatArray,
         moved: FloatArray,
         transforms: Sequence[ArrayLike],
-        level: int,
+        rotations: FloatArray,
     ) -> FloatArray:
         """The shown mesh at a rigid level of 1 or more.
 
         displacement: the linear change of the coarse U.  moved: (n, 3) of the fine vertices.
+        rotations: rows (a, 3, 3) of R' of the active coarse triangles.
         """
         fine, vertices = self.carrier.fine, self.held.structure.vertices
-        means = self.rotations.means(self._coarse_rotations(displacement, transforms, level))
+        means = self.rotations.means(self._coarse_rotations(displacement, rotations))
         for number, T in enumerate(self._held_frames(transforms)):
             means[self.held.coarse_group == number] = T
         R = self.rotations.at(means, vertices)
@@ -195,17 +204,15 @@ class CoarseSurface:
         X = self._poisson.positions(X, R, self._poisson.moments(X))
         return self._shown((X - fine.points) * (fine.scale / self._scale))
 
-    def _coarse_rotations(
-        self, displacement: FloatArray, transforms: Sequence[ArrayLike], level: int
-    ) -> FloatArray:
-        """Rows (k, 3, 3) of R' of every coarse triangle."""
+    def _coarse_rotations(self, displacement: FloatArray, rotations: FloatArray) -> FloatArray:
+        """Rows (k, 3, 3) of R' of every coarse triangle, from those of the active ones."""
         rest, active = self.carrier.coarse, self.binding.system.active
         count = len(rest.vertices)
         R = (rest.affine_rows[count:, :3] + displacement[count:]).reshape(-1, 3, 3)
         still = np.ones(len(R), dtype=bool)
         still[active] = False
         R[still] = nearest_rotations(R[still])
-        R[active] = self.coarse.refined(displacement, transforms, level).rotations
+        R[active] = rotations
         return R
 
     def _shown(self, displacement: FloatArray) -> FloatArray:

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.bound_surface import BoundSurface
 from solver.coarse_surface import CoarseSurface, bind_surface, rebind_surface
-from solver.errors import ConstraintError
-from solver.limits import HIGHEST_LEVEL
+from solver.drag import Drag, as_level
 from solver.linear.drag_model import DragModel, Transforms
 from solver.linear.system import System
 from solver.setup import Setup
@@ -113,7 +111,7 @@ class Deformer:
         array([[0., 0., 0.],
                [0., 1., 0.]])
         """
-        return self._bound.posed(transforms, _as_level(rigid))
+        return self._bound.posed(transforms, as_level(rigid))
 
     def solve(self, targets: ArrayLike, rigid: int = 0) -> FloatArray:
         """X, (n, 3), for any target positions (k, 3) of np.concatenate(handles).
@@ -124,7 +122,7 @@ class Deformer:
         >>> deformer.solve([[2, 0, 1], [2, 1, 1]])[1].round(2)
         array([1. , 0. , 0.5])
         """
-        return self._bound.solved(targets, _as_level(rigid))
+        return self._bound.solved(targets, as_level(rigid))
 
     def frames(self, transforms: Transforms) -> FloatArray:
         """G, (m, 3, 3): the linear frames, rest to deformed; the identity at rest.
@@ -154,6 +152,20 @@ class Deformer:
         np.float64(17.5)
         """
         return self.drag_model.orient(handle, grabbed, target, transforms)
+
+    def drag(self) -> Drag:
+        """A new drag: `move` and `orient` as `pose` and `orient`, each on from the last.
+
+        >>> drag = deformer.drag()
+        >>> for degrees in range(0, 361, 15):  # once about the x axis
+        ...     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+        ...     turn = [[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]]
+        ...     X = drag.move([turn], rigid=4)
+        >>> X[[2, 5]].round(9) + 0.0  # back where it was
+        array([[2., 0., 0.],
+               [2., 1., 0.]])
+        """
+        return Drag(self._bound)
 
     def rebind(self, **changes: Any) -> Deformer:
         """A Deformer with some of the constructor's options changed.
@@ -215,10 +227,3 @@ def _deformer(bound: BoundSurface | CoarseSurface) -> Deformer:
     deformer = object.__new__(Deformer)
     deformer._bound = bound
     return deformer
-
-
-def _as_level(rigid: int) -> int:
-    whole = isinstance(rigid, int | np.integer) and not isinstance(rigid, bool)
-    if not (whole and 0 <= rigid <= HIGHEST_LEVEL):
-        raise ConstraintError(f"rigid must be an integer from 0 to {HIGHEST_LEVEL}, got {rigid!r}")
-    return int(rigid)

@@ -23,6 +23,7 @@ LAYERS = (
     "solver.learning",
     "solver.bound_surface",
     "solver.coarse_surface",
+    "solver.drag",
     "solver.deformer",
     "solver",
     "app app.bundled app.graphics app.latest",

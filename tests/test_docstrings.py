@@ -31,7 +31,9 @@ def methods(cls: type) -> list[str]:
     ]
 
 
-@pytest.mark.parametrize("name", PUBLIC + methods(solver.Deformer) + methods(solver.Mesh))
+@pytest.mark.parametrize(
+    "name", PUBLIC + methods(solver.Deformer) + methods(solver.Drag) + methods(solver.Mesh)
+)
 def test_every_public_name_has_an_example(name: str) -> None:
     assert name in set(EXAMPLES)
 

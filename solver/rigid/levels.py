@@ -8,6 +8,7 @@ from functools import cached_property
 from itertools import islice
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from solver.geometry.rotations import nearest_rotations, turned
 from solver.linear.constraints import Constraints
@@ -83,26 +84,48 @@ class RigidLevels:
     def energy(self) -> SmoothRotationEnergy:
         return SmoothRotationEnergy(self._system, self._K, self.turning, self._ratio)
 
-    def refine(self, U: FloatArray, level: int, others: Sequence[FloatArray] = ()) -> RigidPose:
+    def refine(
+        self,
+        U: FloatArray,
+        level: int,
+        others: Sequence[FloatArray] = (),
+        before: FloatArray | None = None,
+    ) -> RigidPose:
         """From rows U (n + 3m, 3) of the linear result.
 
         The first round takes the nearest rotation of every frame and solves for positions; for
         the others see `descend`. They start from each of `others`, rows of R' of active triangles,
-        too, and the end of lowest energy counts.
+        too, and the end of lowest energy counts. From `before`, the rows of a pose that is near,
+        they start alone: the surface goes on from there, by one round at least.
         """
         X = U[: self._n]
         moments = self.poisson.moments(X)
         R = nearest_rotations(U[self._frames].reshape(-1, 3, 3))
+        if before is not None and len(self.turning):
+            return self._from(self._brought(before, R), X, R, moments, max(level, 2))
         X = self.poisson.positions(X, R, moments)
         if level == 1 or len(self.turning) == 0:
             return RigidPose(X, R)
         ends = [self._last(X, R, moments, level)]
-        for rows in others:
-            R = R.copy()
-            R[self.turning] = rows[self.turning]
-            start = self.poisson.positions(X, R, moments)
-            ends.append(self._last(start, R, moments, level))
+        ends += [self._from(rows, X, R, moments, level) for rows in others]
         return min(ends, key=lambda state: state.energy)
+
+    def _from(
+        self, rows: FloatArray, X: FloatArray, R: FloatArray, moments: FloatArray, level: int
+    ) -> State:
+        """The last state from `rows` where triangles are free to turn, from R elsewhere."""
+        R = R.copy()
+        R[self.turning] = rows[self.turning]
+        return self._last(self.poisson.positions(X, R, moments), R, moments, level)
+
+    def _brought(self, rows: FloatArray, R: FloatArray) -> FloatArray:
+        """Rows of R' turned on by what the held ones have turned since, to those of R."""
+        held = self.energy.held
+        since = R[held].transpose(0, 2, 1) @ rows[held]
+        turns = Rotation.from_matrix(since).as_rotvec().reshape(-1, 3)
+        rows = rows.copy()
+        rows[self.turning] = turned(rows[self.turning], self.energy.spread(turns))
+        return rows
 
     def _last(self, X: FloatArray, R: FloatArray, moments: FloatArray, level: int) -> State:
         *_, last = islice(self.descend(X, R, moments), level)

@@ -18,6 +18,8 @@ from solver.types import FloatArray, IntArray
 ROTATION_LENGTH = 0.075
 # Of a triangle's own stiffness against turning, the part that remains where positions follow.
 REMAINING = 0.5
+# The same part where turns spread: nearly nothing, but enough where no held triangle is linked.
+SPREADING = 1e-6
 
 
 class SmoothRotationEnergy:
@@ -74,3 +76,22 @@ class SmoothRotationEnergy:
         """
         own = sp.diags_array(REMAINING * self._own)
         return factorize(sp.csr_array(own + 2.0 * self._bending)[self._turning][:, self._turning])
+
+    @cached_property
+    def held(self) -> IntArray:
+        """Those of the active triangles, by number, that are not free to turn."""
+        return np.setdiff1d(np.arange(self.count), self._turning)
+
+    @cached_property
+    def _spread(self) -> tuple[Factor, sp.csr_array]:
+        own = sp.diags_array(SPREADING * self._own)
+        rows = sp.csr_array(own + 2.0 * self._bending)[self._turning]
+        return factorize(sp.csr_array(rows[:, self._turning])), rows[:, self.held]
+
+    def spread(self, turns: FloatArray) -> FloatArray:
+        """Small turns (turning, 3) that are harmonic between those of the held ones (held, 3).
+
+        argmin 1/2 sum w_e^-1 beta_e ||w_j - w_i||^2: about how everything turns with what holds it.
+        """
+        factor, links = self._spread
+        return -factor.solve(links @ turns)
