@@ -26,16 +26,10 @@ class Leaving:
         editor = self._editor
         again = self._saving or (self._question is not None and editor.question is self._question)
         editor.finish()
-        if again or not editor.dirty:
+        if again or not (editor.dirty or editor.tasks.now):
             self.ended = True
             return
-        text = f"{editor.document.path.name} has changes that are not saved."
-        answers = (
-            Answer("Save", WindowAction("save and close")),
-            Answer("Discard", WindowAction("discard and close")),
-            CANCEL,
-        )
-        self._question = Question(text, answers)
+        self._question = _question(editor)
         editor.ask(self._question)
 
     def act(self, name: str) -> c.Command | None:
@@ -55,3 +49,19 @@ class Leaving:
         if self._saving and not self._files.asking and self._editor.question is None:
             self._saving = False
             self.ended = not self._editor.dirty
+
+
+def _question(editor: Editor) -> Question:
+    """What closing the window now would lose, and what is to become of it."""
+    task, lines = editor.tasks.now, []
+    answers = (Answer("Close", WindowAction("discard and close")), CANCEL)
+    if editor.dirty:
+        lines.append(f"{editor.document.path.name} has changes that are not saved.")
+        answers = (
+            Answer("Save", WindowAction("save and close")),
+            Answer("Discard", WindowAction("discard and close")),
+            CANCEL,
+        )
+    if task is not None:
+        lines.append(f"{task.name} is not finished yet.")
+    return Question("\n".join(lines), answers)
