@@ -42,6 +42,7 @@ class Leaving:
         known = self._files.known("save", self._editor)
         if known is not None or not self._files.available:
             return c.SaveSession(known)
+        self._files.close()  # one that is open is about something else
         return self._files.act("save", self._editor)
 
     def step(self) -> None:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from app.dialogs.dialogs import Dialogs
+from app.dialogs.question import Question
 from app.editor import commands as c
 from app.unsaved.keeper import Keeper
 from app.unsaved.places import PLACE
@@ -85,6 +87,26 @@ def test_changes_are_asked_about_in_the_same_question(
     press(person, leaving, label)
     assert leaving.ended
     assert (tmp_path / "bar.json").exists() == (label == "Save")
+
+
+def test_saving_asks_for_a_name_in_place_of_another_dialog(person: Person) -> None:
+    def waits(question: Question) -> list[str]:
+        asked.append(question.purpose)
+        return [sys.executable, "-c", "import time; time.sleep(60)"]
+
+    asked: list[str] = []
+    files = FileDialogs(Dialogs(waits))
+    leaving = Leaving(person.editor, Keeper(person.editor, 3600), files)
+    person.do(c.AddHandle("a"))
+    assert files.act("open", person.editor) is None
+    leaving.request()
+    press(person, leaving, "Save")
+    assert asked == ["open", "save"]
+    assert files.asking
+    assert not leaving.ended
+    files.close()
+    leaving.step()
+    assert not leaving.ended, "no name was given"
 
 
 def test_closing_twice_ends_it_whatever_is_under_way(person: Person, leaving: Leaving) -> None:
