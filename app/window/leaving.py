@@ -55,7 +55,7 @@ class Leaving:
 def _question(editor: Editor) -> Question:
     """What closing the window now would lose, and what is to become of it."""
     task, lines = editor.tasks.now, []
-    answers = (Answer("Close", WindowAction("discard and close")), CANCEL)
+    answers: tuple[Answer, ...] = (Answer("Close", WindowAction("discard and close")), CANCEL)
     if editor.dirty:
         lines.append(f"{editor.document.path.name} has changes that are not saved.")
         answers = (

@@ -25,7 +25,7 @@ from app.window.file_dialogs import FileDialogs
 from app.window.film import TakeFilm
 from app.window.lost_display import display_lost
 from app.window.messages import Messages, draw_task, overlay
-from app.window.mouse_and_keys import read_mouse, read_shortcuts
+from app.window.mouse_and_keys import is_unfolded, read_mouse, read_shortcuts
 from app.window.overlay import OverlayDrawer
 from app.window.panel import WIDTH, Panel
 from app.window.panel.file_rows import FileRows
@@ -119,6 +119,7 @@ class Window:
         editor.progress = self._told
         self._drops: list[Path] = []
         self._rest = False  # whether this frame shows the rest shape
+        self._unfolded = False  # a list or menu of the panel, in the last frame
         self._document = editor.document.serial
         remembered.attach(editor)
         with self._telling():
@@ -192,7 +193,9 @@ class Window:
     def _asked(self) -> list[c.Command]:
         """What a person asks for; where a question stands, no more than its answer does."""
         editor = self._editor
-        asked = [*read_shortcuts(editor.brush, editor.hears), *self._panel.draw(editor)]
+        asked = read_shortcuts(editor.brush, editor.hears, self._unfolded)
+        asked += self._panel.draw(editor)
+        self._unfolded = is_unfolded()
         if editor.question is not None:
             answer = draw_question(editor.question)
             command = None if answer is None else editor.answer(answer)

@@ -49,10 +49,11 @@ def read_mouse(camera: Camera) -> Input:
     )
 
 
-def read_shortcuts(brush: Brush, heard: bool) -> list[c.Command]:
+def read_shortcuts(brush: Brush, heard: bool, unfolded: bool) -> list[c.Command]:
     """The commands of keys that went down in this frame, or are held; none while somebody types.
 
     heard: an operator hears the keys, so that none but Esc is a shortcut.
+    unfolded: a list or menu was, in the last frame, which Esc has folded up by now.
     """
     io = psim.GetIO()
     if io.WantTextInput:
@@ -67,11 +68,18 @@ def read_shortcuts(brush: Brush, heard: bool) -> list[c.Command]:
         for shortcut in SHORTCUTS
         if (ctrl and shortcut.shift == shift if shortcut.ctrl else not ctrl_now) and _asks(shortcut)
     ]
+    if unfolded:
+        asked = [command for command in asked if not isinstance(command, c.CancelGesture)]
     if heard:
         return [command for command in asked if isinstance(command, c.CancelGesture)]
     # What went down in the same frame was typed after the key of an operator, and is for it.
     operator = next((command for command in asked if isinstance(command, BEGIN_OPERATOR)), None)
     return asked if operator is None else [operator]
+
+
+def is_unfolded() -> bool:
+    """Whether a list or menu is, after all was drawn."""
+    return bool(psim.IsPopupOpen("", psim.ImGuiPopupFlags_AnyPopup))
 
 
 def _typed() -> str:

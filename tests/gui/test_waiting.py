@@ -48,6 +48,25 @@ def test_an_export_can_be_cancelled_while_the_solver_stands_still_and_is_done_af
     assert np.abs(X - scene.rest).max() > 0.1
 
 
+def test_esc_folds_up_a_menu_before_it_cancels_an_export(ready: Scene) -> None:
+    scene, person = ready, ready.person
+    solver(person).send_signal(signal.SIGSTOP)
+    person.key("5")
+    person.wait_still()
+    scene.stroke(*DRAG[:3], steps=15)
+    scene.export.unlink()
+    person.key("ctrl+e")
+    person.widget(CANCEL)
+    person.choose("Rest ...")
+    person.widget("Make this the rest shape")
+    person.key("Escape")
+    wait_until(lambda: not person.shows("Make this the rest shape"), what="the menu to fold up")
+    person.widget(CANCEL)
+    person.key("Escape")
+    wait_until(lambda: not person.shows(CANCEL), what="the end of the export")
+    assert not scene.export.exists()
+
+
 def test_a_solver_that_does_not_answer_is_replaced_and_closing_never_waits_for_it(
     ready: Scene,
 ) -> None:
