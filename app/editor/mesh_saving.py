@@ -16,6 +16,7 @@ from app.workspace.tasks import Steps, in_background
 from app.workspace.workspace import Workspace
 from solver import Mesh
 from solver.errors import FileError
+from solver.mesh.formats.table import format_of
 from solver.types import FloatArray
 
 
@@ -31,7 +32,9 @@ class MeshSaving:
     own: OwnFiles
 
     def check(self) -> None:
-        """Raise Asks or CommandError before a file is replaced that must not be."""
+        """Raise Asks, CommandError or MeshError where a file must not be replaced or is no mesh."""
+        if not self.path.is_dir():  # which says so itself
+            format_of(self.path)
         if self._is_open:
             before_mesh(self.work, self.command, self.path, self.files)
         elif not self.command.replace and not all(map(self.own.may_replace, self.files(self.path))):

@@ -12,7 +12,7 @@ from app.editor import commands as c
 from solver import Mesh
 from tests.app.editor.waiting import bent, is_over, saved, text, until
 from tests.app.inline import SlowWorker
-from tests.app.person import Person
+from tests.app.person import Person, error_of
 from tests.app.worker.work import WAIT
 
 
@@ -93,3 +93,19 @@ def test_escape_takes_back_a_drag_first_and_the_button_the_export(
     held.may.set()
     until(slow, is_over(slow))
     assert text(slow) == "Exporting out.obj was cancelled"
+
+
+@pytest.mark.parametrize("command", [c.Export, c.ExportPoses])
+def test_what_is_no_mesh_is_refused_before_anybody_waits_or_is_asked(
+    slow: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, command: type[c.Export]
+) -> None:
+    slow.do(c.KeepPose())
+    (tmp_path / "notes.txt").write_text("mine")
+    held = HeldSave(monkeypatch)
+    slow.editor.execute(c.Export(tmp_path / "out.obj"))
+    slow.editor.execute(command(tmp_path / "notes.txt"))
+    assert slow.editor.question is None
+    assert "unknown mesh format '.txt'" in error_of(slow)
+    held.may.set()
+    until(slow, is_over(slow))
+    assert (tmp_path / "notes.txt").read_text() == "mine"
