@@ -18,11 +18,11 @@ def run(log: Path, session: Path) -> None:
     from app.window import main
 
     editors: list[Editor] = []
-    tick = ps.frame_tick
+    adopt, tick = Editor.adopt, ps.frame_tick
 
-    def watched(*arguments: Any) -> Editor:
-        editors.append(Editor(*arguments))
-        return editors[-1]
+    def watched(editor: Editor, *arguments: Any) -> None:
+        adopt(editor, *arguments)
+        editors[:] = [editor]
 
     with log.open("w", encoding="utf-8", buffering=1) as lines:
 
@@ -33,7 +33,8 @@ def run(log: Path, session: Path) -> None:
             if editors:
                 print(json.dumps([begin, time.time() - begin, *state[0]]), file=lines)
 
-        vars(main)["Editor"], vars(ps)["frame_tick"] = watched, timed
+        vars(ps)["frame_tick"] = timed
+        setattr(Editor, "adopt", watched)  # noqa: B010 - a method is not to be assigned
         main.run_window(None, session, None)
 
 
