@@ -62,10 +62,11 @@ def set_rotation(work: Workspace, command: c.SetRotation) -> None:
 def _place(work: Workspace, T: FloatArray, kind: str, axis: int) -> None:
     """Move the selected handles by T (4, 4). Entries of one kind and axis become one."""
     label = label_of(kind, work.selected)
-    pose = placed(work, work.document.pose, T, kind)
+    pose, before = placed(work, work.document.pose, T, kind), work.history.top
     with work.edit(label, merge=f"{label} {axis}") as gesture:
         gesture.change("pose", pose)
-    follow_placed(work, work.selected, kind)
+    if work.history.top is not before:  # else nothing was moved, and nothing is owed
+        follow_placed(work, work.selected, kind)
 
 
 def _pivot(work: Workspace) -> FloatArray:

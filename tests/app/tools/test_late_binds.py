@@ -219,3 +219,11 @@ def test_where_the_bind_failed_the_reason_is_said_once_more() -> None:
     drag(person)
     assert "no memory is left" in error_of(person)
     assert not person.editor.document.pose.at_rest
+
+
+def test_a_number_that_changes_nothing_owes_nothing() -> None:
+    person, _ = begun(late=True)
+    person.do(c.SetPlacing(pivot="free"), c.SetRotation(2, (0.0, 0.0, 0.0)))
+    assert person.editor.late.debt is None
+    type_a_rotation(person)
+    assert person.editor.late.debt is not None
