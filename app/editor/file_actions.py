@@ -130,8 +130,7 @@ def save_session(work: Workspace, command: c.SaveSession) -> None:
 def export(work: Workspace, command: c.Export) -> None:
     path = command.path or default_export_path(work)
     saving = MeshSaving(work, command, path, lambda file: [file], work.document.mesh, work.own)
-    saving.check()
-    work.tasks.begin(f"Exporting {path.name}", _export(saving, settled(work)), saving.about)
+    saving.begin(_export(saving, settled(work)))
 
 
 def _export(saving: MeshSaving, shape: Steps[tuple[Snapshot, Pose]]) -> Steps[None]:

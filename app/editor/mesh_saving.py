@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -42,6 +42,15 @@ class MeshSaving:
                 f"{whole(self.path)}: not exported, what is there is not to be replaced"
             )
 
+    def begin(self, export: Steps[None]) -> None:
+        """Let an export begin, in place of one that waits to write the same to the same place.
+
+        Raises what `check` raises, and what goes wrong.
+        """
+        self.check()
+        same = type(self.command), whole(self.path), self.own
+        self.work.tasks.begin(f"Exporting {self.path.name}", export, same)
+
     def steps(
         self,
         positions: FloatArray,
@@ -67,11 +76,6 @@ class MeshSaving:
         parts += [f", {beside} file{'s' * (beside > 1)} beside it"] if beside else []
         parts += [f"; {left_out}"] if left_out else []
         return "".join(parts)
-
-    @property
-    def about(self) -> Hashable:
-        """The same for what the same document writes to the same place, in the same way."""
-        return type(self.command), whole(self.path), self.own
 
     @contextmanager
     def _or_elsewhere(self) -> Iterator[None]:

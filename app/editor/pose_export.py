@@ -31,8 +31,7 @@ def export_poses(work: Workspace, command: c.ExportPoses) -> None:
         return [file, *map(Path, pose_paths(file, poses).values())]
 
     saving = MeshSaving(work, command, path, files, document.mesh, work.own)
-    saving.check()
-    work.tasks.begin(f"Exporting {path.name}", _export(saving, settled(work), poses), saving.about)
+    saving.begin(_export(saving, settled(work), poses))
 
 
 def _export(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from app.editor.commands import CommandError
 from app.model.handles import Pose
 from app.worker.errand import Errand, Snapshot
 from app.worker.requests import Failure, checked
@@ -27,6 +28,18 @@ def _settled(
     while work.late.debt is debt and not work.surface.bind_error:
         yield None
     return (shape, pose) if debt.paid is None else (shape.posed(debt.paid), debt.paid)
+
+
+def until_free(work: Workspace, surface: int, fault: str) -> Steps[None]:
+    """Wait until the hand is in the middle of nothing.
+
+    surface: the `surface_number` that is asked about; CommandError with `fault` where another
+    surface is there by then.
+    """
+    while work.interaction is not None:
+        yield None
+    if work.document.surface_number != surface:
+        raise CommandError(fault)
 
 
 def solved(work: Workspace, shape: Snapshot, fraction: float | None = None) -> Steps[FloatArray]:

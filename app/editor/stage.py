@@ -14,6 +14,7 @@ from app.scene.shading import Shaded, shaded
 from app.scene.twin import ASIDE, Twin
 from app.workspace.color_maps import MAPS
 from app.workspace.workspace import Workspace
+from solver.geometry.bounding_box import middle
 from solver.types import FloatArray
 
 
@@ -90,8 +91,7 @@ class Stage:
         def made() -> Twin:
             V = document.rest_positions
             used = V[document.mesh.pieces >= 0]
-            middle = 0.5 * (used.min(axis=0) + used.max(axis=0))
-            return Twin(V, middle, ASIDE * document.diagonal)
+            return Twin(V, middle(used), ASIDE * document.diagonal)
 
         return self._twin(document.revision["rest"], made)
 

@@ -11,7 +11,7 @@ from app.figures.arm import JOINT, REACH, SHOULDER, WRIST, Arm, Gains, turn
 from app.figures.figure import Figure, plain, regions, soft
 from app.figures.measures import ArmMeasures, Numbers
 from solver import PRESETS, fundamental_forms, reconstruct
-from solver.geometry.bounding_box import diagonal
+from solver.geometry.bounding_box import diagonal, middle
 from solver.geometry.frames import triangle_frames
 from solver.geometry.motions import moved, rotation
 from solver.geometry.procrustes import rigid_motion
@@ -59,13 +59,13 @@ def _original(arm: Arm) -> Figure:
 
 
 def _reconstruction(arm: Arm) -> Figure:
-    middle = 0.5 * (arm.V.min(axis=0) + arm.V.max(axis=0))
-    R = turn(30.0, middle)[:3, :3] @ rotation([0, 1, 0], 40.0)
+    centre = middle(arm.V)
+    R = turn(30.0, centre)[:3, :3] @ rotation([0, 1, 0], 40.0)
     X = reconstruct(
         arm.F,
         fundamental_forms(arm.V, arm.F),
         seed_frame=R @ triangle_frames(arm.V[arm.F[:1]]).axes[0],
-        seed_position=R @ (arm.V[arm.F[0, 0]] - middle) + middle,
+        seed_position=R @ (arm.V[arm.F[0, 0]] - centre) + centre,
     )
     size = diagonal(arm.V)
     apart = np.linalg.norm(moved(rigid_motion(arm.V, X), arm.V) - X, axis=1).max() / size

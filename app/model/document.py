@@ -21,6 +21,7 @@ from app.model.poses import FIRST_POSE, KeptPose
 from app.model.rest import RestShape
 from app.model.settings import SETTINGS, coarse_count
 from solver import Setup
+from solver.geometry.bounding_box import diagonal
 from solver.mesh.mesh import Mesh
 from solver.softness.material import Material
 from solver.types import BoolArray, FloatArray, IntArray
@@ -203,5 +204,4 @@ class Document:
     @cached_property
     def diagonal(self) -> float:
         """Length of the bounding box's diagonal at rest, over the vertices that faces use."""
-        used = self.mesh.vertices[self.mesh.pieces >= 0]
-        return float(np.linalg.norm(np.ptp(used, axis=0)))
+        return diagonal(self.mesh.vertices[self.mesh.pieces >= 0])

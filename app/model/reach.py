@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from app.model.document import Document
 from app.model.handles import Pose
+from solver.geometry.bounding_box import diagonal, middle
 from solver.linear.reach import check_map, shift_of
 from solver.types import FloatArray
 
@@ -12,10 +13,8 @@ class Reach:
     """The size of a document's rest shape, and with it whether a transform is one of a pose."""
 
     def __init__(self, document: Document) -> None:
-        used = document.rest_positions[document.mesh.faces.ravel()]
-        low, high = used.min(axis=0), used.max(axis=0)
-        self._centre: FloatArray = 0.5 * (low + high)
-        self._diagonal = float(((high - low) ** 2).sum() ** 0.5)
+        used = document.rest_positions[document.mesh.pieces >= 0]
+        self._centre, self._diagonal = middle(used), diagonal(used)
 
     def check(self, T: FloatArray, what: str) -> None:
         """Raises ConstraintError naming `what` where T (4, 4) stretches or goes too far."""

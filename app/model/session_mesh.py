@@ -20,6 +20,7 @@ from scipy.spatial import cKDTree
 from app.model import schema
 from app.model.document import Document
 from app.model.handles import FREE
+from solver.geometry.bounding_box import diagonal
 from solver.mesh.mesh import Mesh
 from solver.types import FloatArray
 
@@ -121,7 +122,7 @@ def farthest(data: dict[str, Any], mesh: Mesh) -> float | None:
     if "places" not in data:
         return None
     distances, _ = cKDTree(read_places(data["places"])).query(mesh.vertices)
-    return float(distances.max() / np.linalg.norm(np.ptp(mesh.vertices, axis=0)))
+    return float(distances.max() / diagonal(mesh.vertices))
 
 
 def _known(

@@ -11,6 +11,7 @@ from app.viewpoint.camera import FIELD_OF_VIEW, Camera, Pixel
 from app.viewpoint.events import Input
 from app.viewpoint.framing import framing
 from app.viewpoint.moves import orbited, panned, zoomed
+from solver.geometry.bounding_box import diagonal, middle
 from solver.types import FloatArray
 
 Motion = Literal["orbit", "pan"]
@@ -51,8 +52,8 @@ class Viewpoint:
 
     def show(self, positions: FloatArray) -> None:
         """Look at another surface, of vertices (n, 3), from the front."""
-        self._middle = 0.5 * (positions.min(axis=0) + positions.max(axis=0))
-        self._size = float(np.linalg.norm(np.ptp(positions, axis=0))) or 1.0
+        self._middle = middle(positions)
+        self._size = diagonal(positions) or 1.0
         self.view_from("front", positions)
 
     @property
@@ -82,7 +83,7 @@ class Viewpoint:
         """
         self._frame(positions, self.camera.forward, self.camera.up)
         if about is not None:
-            self.pivot = 0.5 * (about.min(axis=0) + about.max(axis=0))
+            self.pivot = middle(about)
 
     def frames(self, positions: FloatArray) -> bool:
         """Whether these positions have been framed, and nothing looked at otherwise since."""
@@ -90,7 +91,7 @@ class Viewpoint:
 
     def _frame(self, positions: FloatArray, forward: FloatArray, up: FloatArray) -> None:
         self.camera = framing(positions, self.camera.size, self.inset, forward, up)
-        self.pivot = 0.5 * (positions.min(axis=0) + positions.max(axis=0))
+        self.pivot = middle(positions)
         self._framed = positions
 
     def fit(self, size: tuple[float, float], inset: float) -> None:

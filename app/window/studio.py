@@ -16,6 +16,7 @@ from app.window.film_files import Picture, PictureError, check_library
 from app.window.panel.widgets import WIDTH
 from app.window.scaling import scaled
 from app.window.view import View
+from solver.geometry.bounding_box import middle
 from solver.types import FloatArray
 
 PICTURES = ("picture", "before-after")
@@ -66,7 +67,7 @@ class Studio:
             raise PictureError("one film at a time: the last one is not finished yet")
         if film.name == "turntable":
             seen = self._editor.positions[self._editor.parts.framed]
-            self._middle = 0.5 * (seen.min(axis=0) + seen.max(axis=0))
+            self._middle = middle(seen)
             self._turn = Film(film.path, film.replace)
         else:
             self._film, self._next = Film(film.path, film.replace), 0.0

@@ -10,6 +10,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from solver.coarse.closest import NearbySurface
+from solver.geometry.bounding_box import diagonal
 from solver.geometry.topology import Topology
 from solver.types import BoolArray, FloatArray, IntArray
 
@@ -161,10 +162,6 @@ def _mended(R: FloatArray, P: FloatArray, cell: IntArray) -> IntArray:
     return cell
 
 
-def _scale(V: FloatArray) -> float:
-    return float(np.linalg.norm(np.ptp(V, axis=0))) or 1.0
-
-
 def _roughened(V: FloatArray, topology: Topology) -> FloatArray:
     """V, at a size of 1, displaced along its normals by random shares of the edges around."""
     F, edges = topology.faces, topology.edges
@@ -178,7 +175,7 @@ def _roughened(V: FloatArray, topology: Topology) -> FloatArray:
             normals[:, axis] += np.bincount(corner, values, len(V))
     normals /= np.maximum(np.linalg.norm(normals, axis=1), np.finfo(float).tiny)[:, None]
     push = ROUGHNESS * around * np.random.default_rng(0).uniform(-1.0, 1.0, len(V))
-    return np.asarray((V - V.min(axis=0) + push[:, None] * normals) / _scale(V))
+    return np.asarray((V - V.min(axis=0) + push[:, None] * normals) / (diagonal(V) or 1.0))
 
 
 def _normals(V: FloatArray, F: IntArray) -> FloatArray:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from solver.geometry.bounding_box import diagonal, middle
 from solver.types import FloatArray, IntArray
 
 # Points that a plane is found from, and how often it is fitted to the pairs that it makes.
@@ -44,8 +45,8 @@ def find_plane(V: FloatArray) -> Plane | None:
     equally good ones the first. [Combes et al. 2008]
     """
     points = V[:: max(len(V) // SAMPLES, 1)]
-    tree, size = cKDTree(points), float(np.linalg.norm(np.ptp(points, axis=0)))
-    centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    tree, size = cKDTree(points), diagonal(points)
+    centre = middle(points)
     axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2]
     fitted = [_fitted(Plane(n, float(n @ centre)), points, tree) for n in [*np.eye(3), *axes]]
     errors = [error for _, error in fitted]

@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import cKDTree
 
+from solver.geometry.bounding_box import diagonal
 from solver.geometry.topology import Topology, components
 from solver.types import FloatArray, IntArray
 
@@ -27,7 +28,7 @@ def weld(V: FloatArray, topology: Topology) -> IntArray:
     corners, flat = np.unique(ends, return_inverse=True)
     if len(corners) == 0:
         return np.arange(count)
-    size = float(np.linalg.norm(np.ptp(V[topology.faces.ravel()], axis=0)))
+    size = diagonal(V[topology.faces.ravel()])
     place = _places(V[corners], COINCIDENT * size)[flat.reshape(-1, 2)]
     # Both edges of a pair from the lower place to the higher one.
     turned = place[:, 0] > place[:, 1]

@@ -11,7 +11,7 @@ from app.editor import commands as c
 from app.editor.action import Actions
 from app.editor.actions.poses import add_pose
 from app.editor.lesson import learned, lesson, posed_vertices
-from app.editor.solved import solved
+from app.editor.solved import solved, until_free
 from app.model.document import Document
 from app.model.handles import GRAB, Pose
 from app.model.names import free_name
@@ -23,6 +23,8 @@ from solver.geometry.procrustes import rigid_motion
 from solver.learning.examples import placed
 from solver.types import FloatArray
 
+CHANGED = "the mesh has another rest shape meanwhile: nothing was taken from files"
+
 
 def learn(work: Workspace, command: c.LearnSoftness) -> None:
     if not command.paths:
@@ -33,7 +35,7 @@ def learn(work: Workspace, command: c.LearnSoftness) -> None:
 def _learn(work: Workspace, asked: Document, paths: Sequence[Path]) -> Steps[None]:
     poses = yield from _read(asked, paths)
     softness = yield from apart(learned, lesson(asked, poses))
-    yield from _until_same(work, asked)
+    yield from until_free(work, asked.surface_number, CHANGED)
     with work.edit("Learn softness") as gesture:
         gesture.change("softness", softness, np.arange(len(softness)))
     work.map = "softness"
@@ -51,7 +53,7 @@ def _keep(work: Workspace, asked: Document, path: Path) -> Steps[None]:
     (positions,) = yield from _read(asked, [path])
     if len(asked.fixed):
         positions = placed(positions, asked.rest_positions, asked.fixed)
-    yield from _until_same(work, asked)
+    yield from until_free(work, asked.surface_number, CHANGED)
     document = work.document
     pose = shown_pose(document, positions)
     work.reach.check_pose(document, pose)
@@ -83,16 +85,6 @@ def _read(asked: Document, paths: Sequence[Path]) -> Steps[list[FloatArray]]:
         lambda tell: [posed_vertices(path, asked.mesh, asked.path) for path in paths]
     )
     return read
-
-
-def _until_same(work: Workspace, asked: Document) -> Steps[None]:
-    """Wait for the hand to be free. Raises CommandError where another mesh is open by then."""
-    while work.interaction is not None:
-        yield None
-    if work.document.surface_number != asked.surface_number:
-        raise c.CommandError(
-            "the mesh has another rest shape meanwhile: nothing was taken from files"
-        )
 
 
 POSED_MESH_ACTIONS: Actions = {c.LearnSoftness: learn, c.AddPose: keep_shown_pose}

@@ -9,7 +9,7 @@ import numpy as np
 
 from app.editor import commands as c
 from app.editor.action import Actions
-from app.editor.solved import settled, solved
+from app.editor.solved import settled, solved, until_free
 from app.model.document import Document
 from app.model.handles import Pose
 from app.model.rest import RestShape, affine_fit, composed, flattens, seen_from
@@ -36,10 +36,8 @@ def _make_rest(
 ) -> Steps[None]:
     shape, pose = yield from asked
     positions = yield from solved(work, shape)
-    while work.interaction is not None:  # the hand is in the middle of something
-        yield None
-    if work.document is not document or document.rest_positions is not shape.bind.vertices:
-        raise c.CommandError("the rest shape has changed meanwhile: none was made")
+    fault = "the rest shape has changed meanwhile: none was made"
+    yield from until_free(work, shape.bind.mesh, fault)
     check_sizes(positions, document.mesh.faces, "the rest shape")
     rest = document.new_rest(positions)
     _set(work, "Make rest shape", rest, lambda other: seen_from(other, pose))

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from solver.errors import MeshError
+from solver.geometry.bounding_box import diagonal
 from solver.types import FloatArray, IntArray
 
 # Edges longer than this share of the diagonal must not vanish: shorter ones nobody sees.
@@ -38,8 +39,7 @@ def check_distinct(X: FloatArray, stored: NDArray[Any], faces: IntArray, path: s
     ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     same = ends[(stored[ends[:, 0]] == stored[ends[:, 1]]).all(axis=1)]
     length = np.linalg.norm(X[same[:, 0]] - X[same[:, 1]], axis=1)
-    diagonal = np.linalg.norm(np.ptp(X[faces.ravel()], axis=0))
-    merged = np.unique(same[length > SEEN * diagonal])
+    merged = np.unique(same[length > SEEN * diagonal(X[faces.ravel()])])
     if len(merged):
         raise MeshError(
             f"{path}: {len(merged)} vertices would become one with a neighbour in "
