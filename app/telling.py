@@ -26,6 +26,19 @@ def readable(text: str) -> str:
     return _shortened("".join(c if c.isprintable() else ascii(c)[1:-1] for c in text))
 
 
+def counted(number: int, noun: str) -> str:
+    """So many of something, in words.
+
+    >>> from app.telling import counted
+    >>> counted(1, "kept pose"), counted(1200, "fixed vertex")
+    ('1 kept pose', '1,200 fixed vertices')
+    """
+    if number == 1:
+        return f"1 {noun}"
+    plural = f"{noun.removesuffix('ex')}ices" if noun.endswith("vertex") else f"{noun}s"
+    return f"{number:,} {plural}"
+
+
 def tell(text: str, error: bool = False) -> None:
     """Print a line; on the second stream where something is wrong.
 

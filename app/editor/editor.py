@@ -91,7 +91,9 @@ class Editor(Workspace):
 
     def settle(self) -> None:
         """For scripts: wait until the surface is what the document asks for. Raises SolverError."""
-        super().settle()
+        self.surface.settle(self.document)
+        if self.catch_up():
+            self.surface.settle(self.document)
         self._refresh()
 
     def complete(self) -> None:

@@ -24,6 +24,7 @@ from app.model.carrying import MeshChanged, on_mesh
 from app.model.document import Document
 from app.model.handles import Pose
 from app.model.session import read_session
+from app.model.session_files import SUFFIX
 from app.model.session_mesh import Carry
 from app.model.session_writing import write_session
 from app.model.settings import affordable_level
@@ -112,7 +113,7 @@ def usable_mesh(path: Path, progress: Progress | None = None) -> Mesh:
 
 def open_command(path: Path) -> c.OpenMesh | c.OpenSession:
     """What opens a file of unknown kind: sessions are *.json."""
-    return c.OpenSession(path) if path.suffix.lower() == ".json" else c.OpenMesh(path)
+    return c.OpenSession(path) if path.suffix.lower() == SUFFIX else c.OpenMesh(path)
 
 
 def save_session(work: Workspace, command: c.SaveSession) -> None:

@@ -7,13 +7,14 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from app.bundled import is_bundled, writable
+from app.model.session_files import SUFFIX
 from app.workspace.workspace import Workspace
 from solver.errors import SolverError
 
 
 def default_session_path(work: Workspace) -> Path:
     """The session that was opened or saved, else one beside the mesh."""
-    return writable(work.session_path or work.document.path.with_suffix(".json"))
+    return writable(work.session_path or work.document.path.with_suffix(SUFFIX))
 
 
 def default_export_path(work: Workspace) -> Path:

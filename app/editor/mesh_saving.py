@@ -11,6 +11,7 @@ from app.editor import commands as c
 from app.editor.elsewhere import or_elsewhere
 from app.editor.file_paths import recent
 from app.editor.replacing import before_mesh, whole
+from app.telling import counted
 from app.workspace.own_files import OwnFiles
 from app.workspace.tasks import Steps, in_background
 from app.workspace.workspace import Workspace
@@ -73,7 +74,7 @@ class MeshSaving:
         """What is said afterwards: where it is, and what its format does not keep."""
         beside, left_out = len(self.files(self.path)) - 1, self.mesh.left_out(self.path)
         parts = [f"Exported {whole(self.path)}"]
-        parts += [f", {beside} file{'s' * (beside > 1)} beside it"] if beside else []
+        parts += [f", {counted(beside, 'file')} beside it"] if beside else []
         parts += [f"; {left_out}"] if left_out else []
         return "".join(parts)
 

@@ -17,6 +17,7 @@ from app.model.document import Document
 from app.model.session import Session, read_session
 from app.model.session_files import SUFFIX, is_session
 from app.model.session_mesh import Change, farthest
+from app.telling import counted
 from solver.errors import SolverError
 
 SAVED = "%d %B %Y, %H:%M"
@@ -87,15 +88,8 @@ def to_continue(sessions: Sequence[Session], mesh: Path, opened: bool = False) -
 def contents(session: Session) -> str:
     """What is in a session, in plain words."""
     data = session.data
-    counted = [
-        (len(data.get("handles", [])), "handle", "handles"),
-        (len(data.get("pins", [])), "pin", "pins"),
-        (len(data.get("poses", [])), "kept pose", "kept poses"),
-        (len(data.get("fixed", [])), "fixed vertex", "fixed vertices"),
-    ]
-    found = [
-        f"{number:,} {one if number == 1 else many}" for number, one, many in counted if number
-    ]
+    nouns = {"handles": "handle", "pins": "pin", "poses": "kept pose", "fixed": "fixed vertex"}
+    found = [counted(len(data[key]), noun) for key, noun in nouns.items() if data.get(key)]
     if any(data.get("softness", [])):
         found.append("painted softness")
     return ", ".join(found) if found else "nothing painted"

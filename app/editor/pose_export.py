@@ -14,6 +14,7 @@ from app.editor.solved import settled, solved
 from app.model.document import Document
 from app.model.handles import Pose
 from app.model.poses import REST_NAME, blended_pose
+from app.telling import counted
 from app.worker.errand import Snapshot
 from app.workspace.tasks import Steps
 from app.workspace.workspace import Workspace
@@ -44,7 +45,7 @@ def _export(
         part = SOLVING * (len(found) + 1) / (len(poses) + 1)
         found[name] = yield from solved(work, shown.posed(pose), part)
     yield from saving.steps(positions, found, SOLVING)
-    work.say(f"{len(poses)} pose{'s' * (len(poses) > 1)}: {saving.done}")
+    work.say(f"{counted(len(poses), 'pose')}: {saving.done}")
 
 
 def poses_to_save(document: Document, path: Path, between: int = 0) -> dict[str, Pose]:

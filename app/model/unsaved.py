@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from app.model import schema
 from app.model.document import Document
+from app.telling import counted
 
 # at: when, ISO 8601.  mesh, session: whole paths.  holds: in words.
 UNSAVED = schema.fields(
@@ -21,16 +22,9 @@ def holds(document: Document) -> str:
         (len(document.fixed), "fixed vertex"),
         (len(document.poses), "kept pose"),
     )
-    found = [_counted(number, noun) for number, noun in counts if number]
+    found = [counted(number, noun) for number, noun in counts if number]
     if document.softness.any():
         found.append("softness")
     if document.rest is not None:
         found.append("a rest shape")
     return ", ".join(found) or "settings only"
-
-
-def _counted(number: int, noun: str) -> str:
-    if number == 1:
-        return f"1 {noun}"
-    plural = "vertices" if noun.endswith("vertex") else f"{noun.rpartition(' ')[2]}s"
-    return f"{number:,} {' '.join([*noun.split()[:-1], plural])}"

@@ -10,7 +10,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from app.bundled import ASSETS
+from app.bundled import is_bundled
 from app.model.document import Document
 from app.model.session_mesh import mesh_hash, mesh_places
 from app.model.session_writing import session_pieces
@@ -169,7 +169,7 @@ class Keeper:
             "mesh": mesh,
             "holds": holds(document),
         }
-        if session is not None and not session.resolve().is_relative_to(ASSETS):
+        if session is not None and not is_bundled(session):
             unsaved["session"] = str(session.resolve())
         yield from session_pieces(document, {"path": mesh}, unsaved=unsaved)
 

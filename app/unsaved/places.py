@@ -17,12 +17,12 @@ from platformdirs import user_state_path
 
 from app.model.preferences import PROGRAM
 from app.model.schema import SessionError
+from app.model.session_files import SUFFIX
 from app.model.unsaved import UNSAVED
 from app.unsaved.lock import Lock
 from solver.storage import remove_orphans
 
 PLACE = "SURFACE_DEFORMATION_STATE"  # an environment variable with another folder
-SUFFIX = ".json"
 OLD_SECONDS, MOST = 30 * 24 * 3600, 50  # what is older, and not among so many, may go
 LINES, LONGEST = 8, 100_000  # of the beginning of a file, where UNSAVED is
 

@@ -14,20 +14,20 @@ from app.editor.editor import Editor
 from app.editor.file_actions import open_command
 from app.editor.file_paths import default_export_path, default_session_path
 from app.editor.replacing import is_open_mesh
-from app.model.session_files import session_name
+from app.model.session_files import SUFFIX, session_name
 from app.window.film import TakeFilm, default_film_path
 from app.window.film_files import FILMS
 from solver.mesh.formats.table import FORMATS
 
 MESHES = Kind("Meshes", tuple(FORMATS))
-SESSIONS = Kind("Sessions", (".json",))
+SESSIONS = Kind("Sessions", (SUFFIX,))
 EXPORTS = "export", "export poses"  # both go where the last one went
 POSED: dict[str, Callable[[Path], c.Command]] = {
     "learn": lambda path: c.LearnSoftness((path,)),
     "add pose": c.AddPose,
 }
 FILM_NAMES = "turntable", "record"
-BOTH = Kind("Meshes and sessions", (*FORMATS, ".json"))
+BOTH = Kind("Meshes and sessions", (*FORMATS, SUFFIX))
 FILM = Kind("Films", tuple(FILMS))
 
 

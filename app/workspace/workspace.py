@@ -156,12 +156,6 @@ class Workspace:
         """Pay what is `late`, if that is possible by now; whether it was. Raises SolverError."""
         return self.interaction is None and self.late.pay(self.document, self.history, self.surface)
 
-    def settle(self) -> None:
-        """Wait until the surface is what the document asks for. Raises SolverError."""
-        self.surface.settle(self.document)
-        if self.catch_up():
-            self.surface.settle(self.document)
-
     @property
     def moment(self) -> Moment:
         """What a second click comes back to."""

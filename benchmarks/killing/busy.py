@@ -10,11 +10,12 @@ import json
 import sys
 import time
 from pathlib import Path
-from typing import Any, TextIO
+from typing import TextIO
 
 from app.editor import commands as c
 from app.editor.actions import ACTIONS
 from app.editor.editor import Editor
+from benchmarks.window.loop import Tick, run_watched
 
 TASKS = "save", "export", "autosave"
 
@@ -43,30 +44,16 @@ class Busy:
 
 
 def run(task: str, log: Path, mesh: Path) -> None:
-    """The app's own loop, until somebody ends it."""
-    # Here, because the solver's process imports this module too and must not load a window.
-    import polyscope as ps
-
-    from app.window import main
-
-    editors: list[Editor] = []
-    adopt, tick = Editor.adopt, ps.frame_tick
-
-    def watched(editor: Editor, *arguments: Any) -> None:
-        adopt(editor, *arguments)
-        editors[:] = [editor]
-
+    """Until somebody ends it."""
     with log.open("w", encoding="utf-8", buffering=1) as lines:
         busy = Busy(task, lines)
 
-        def ticked() -> None:
+        def ticked(editor: Editor | None, tick: Tick) -> None:
             tick()
-            for editor in editors:
+            if editor:
                 busy.act(editor)
 
-        vars(ps)["frame_tick"] = ticked
-        setattr(Editor, "adopt", watched)  # noqa: B010 - a method is not to be assigned
-        main.run_window(mesh, None, None)
+        run_watched(ticked, mesh, None)
 
 
 if __name__ == "__main__":
