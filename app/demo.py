@@ -136,8 +136,8 @@ def painter(
 ) -> Callable[[Path, str], None]:
     """What takes a picture of the editor. Raises GraphicsError."""
     with loading():
+        from app.window.drawing.view import View
         from app.window.opening import open_offscreen
-        from app.window.view import View
     open_offscreen(size)
     view = View()
 

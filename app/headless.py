@@ -6,13 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.editor.file_actions import load_document, usable_mesh
-from app.editor.pose_export import poses_to_save
-from app.model.carrying import MeshChanged
+from app.editor.files.actions import load_document, usable_mesh
+from app.editor.files.pose_export import poses_to_save
 from app.model.document import Document
 from app.model.handles import Pose
 from app.model.outputs import check_outputs
 from app.model.schema import SessionError
+from app.model.session.carrying import MeshChanged
 from app.telling import tell
 from app.worker.memory import check_memory
 from solver import Deformer

@@ -6,10 +6,10 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from app.editor.file_actions import load_document
+from app.editor.files.actions import load_document
 from app.editor.lesson import lesson, posed_vertices
 from app.model.outputs import check_outputs
-from app.model.session_writing import write_session
+from app.model.session.writing import write_session
 from solver import learn_softness
 
 

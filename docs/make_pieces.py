@@ -154,8 +154,8 @@ def report(mesh: Mesh, X: FloatArray) -> None:
 
 def main() -> None:
     with loading():
+        from app.window.drawing.view import View
         from app.window.opening import open_offscreen
-        from app.window.view import View
     mesh = load_mesh(ASSETS / "dressed.obj")
     names, part = part_of(mesh)
     tint = [next(COLORS[word] for word in name.split() if word in COLORS) for name in names]

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.editor.file_actions import load_document
-from app.editor.opening import Beside, sessions_beside, to_carry, to_continue, unusable
-from app.model.carrying import MeshChanged
+from app.editor.files.actions import load_document
+from app.editor.files.opening import Beside, sessions_beside, to_carry, to_continue, unusable
+from app.model.session.carrying import MeshChanged
 from app.worker.client import Worker
 from solver.mesh.progress import Progress
 

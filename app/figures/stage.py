@@ -26,8 +26,8 @@ CAMERAS = {
 def draw(figures: Sequence[Figure], folder: Path) -> None:
     """Save a PNG for each figure. Raises GraphicsError."""
     with loading():
+        from app.window.drawing.view import View
         from app.window.opening import open_offscreen
-        from app.window.view import View
     open_offscreen(SIZE)
     view, mesh = View(), load_mesh(DEFAULT_MESH)
     radius = dot_radius(mesh.vertices, Topology(mesh.faces, len(mesh.vertices)).edges)

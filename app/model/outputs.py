@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from app.model.session_files import SUFFIX, is_session
+from app.model.session.files import SUFFIX, is_session
 from solver.errors import FileError
 
 

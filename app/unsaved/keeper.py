@@ -12,9 +12,9 @@ from typing import Any
 
 from app.bundled import is_bundled
 from app.model.document import Document
-from app.model.session_mesh import mesh_hash, mesh_places
-from app.model.session_writing import session_pieces
-from app.model.unsaved import holds
+from app.model.session.mesh import mesh_hash, mesh_places
+from app.model.session.unsaved import holds
+from app.model.session.writing import session_pieces
 from app.unsaved.file import UnsavedFile
 from app.unsaved.places import Kept
 from app.workspace.workspace import Workspace

@@ -17,8 +17,8 @@ from platformdirs import user_state_path
 
 from app.model.preferences import PROGRAM
 from app.model.schema import SessionError
-from app.model.session_files import SUFFIX
-from app.model.unsaved import UNSAVED
+from app.model.session.files import SUFFIX
+from app.model.session.unsaved import UNSAVED
 from app.unsaved.lock import Lock
 from solver.storage import remove_orphans
 

@@ -11,12 +11,12 @@ from app.dialogs.dialogs import Dialogs
 from app.dialogs.question import Answer, Kind, Question
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.editor.file_actions import open_command
-from app.editor.file_paths import default_export_path, default_session_path
-from app.editor.replacing import is_open_mesh
-from app.model.session_files import SUFFIX, session_name
-from app.window.film import TakeFilm, default_film_path
-from app.window.film_files import FILMS
+from app.editor.files.actions import open_command
+from app.editor.files.paths import default_export_path, default_session_path
+from app.editor.files.replacing import is_open_mesh
+from app.model.session.files import SUFFIX, session_name
+from app.window.films.files import FILMS
+from app.window.films.film import TakeFilm, default_film_path
 from solver.mesh.formats.table import FORMATS
 
 MESHES = Kind("Meshes", tuple(FORMATS))

@@ -14,13 +14,15 @@ from app.dialogs.dialogs import Dialogs
 from app.dialogs.programs import find_program
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.editor.file_actions import open_command
+from app.editor.files.actions import open_command
 from app.viewpoint.camera import Camera
+from app.window.drawing.overlay import OverlayDrawer
+from app.window.drawing.view import View
 from app.window.file_dialogs import FileDialogs
-from app.window.film import TakeFilm
+from app.window.films.film import TakeFilm
+from app.window.films.studio import PICTURES, Studio
 from app.window.messages import Messages, draw_task, overlay
 from app.window.mouse_and_keys import is_unfolded, read_mouse, read_shortcuts
-from app.window.overlay import OverlayDrawer
 from app.window.panel import WIDTH, Panel
 from app.window.panel.file_rows import FileRows
 from app.window.panel.looking import LookingRows
@@ -29,9 +31,7 @@ from app.window.question_box import draw_question
 from app.window.remembered import Remembered
 from app.window.scaling import scaled
 from app.window.shortcuts import SetInterface, WindowAction
-from app.window.studio import PICTURES, Studio
-from app.window.unsaved_work import QUESTIONS, UnsavedWork
-from app.window.view import View
+from app.window.unsaved.work import QUESTIONS, UnsavedWork
 from solver.errors import SolverError
 
 

@@ -6,7 +6,7 @@ import json
 
 import numpy as np
 
-from app.model.session_writing import FORMAT, VERSION
+from app.model.session.writing import FORMAT, VERSION
 from assets.generator.figure import ELBOW, WRIST
 from solver.geometry.bounding_box import diagonal
 from solver.softness.falloff import falloff

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from app.model.session import read_session
+from app.model.session.reading import read_session
 from assets.generator.elbow import SOFT_REACH
 from assets.generator.figure import ARM_DEPTH, ARM_HEIGHT, ELBOW
 from assets.generator.primitives import cylinder

@@ -16,7 +16,7 @@ import igl
 import numpy as np
 
 from app.model.document import Document
-from app.model.session_writing import write_session
+from app.model.session.writing import write_session
 from app.viewpoint.framing import framing
 from benchmarks.tables import table
 from solver import load_mesh

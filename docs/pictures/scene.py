@@ -14,7 +14,7 @@ import numpy as np
 from PIL import Image
 
 from app.demo import Point
-from app.editor.file_actions import load_document
+from app.editor.files.actions import load_document
 from app.pointing.brush import RADIUS_STEP
 from app.viewpoint.camera import Pixel
 from app.viewpoint.framing import framing

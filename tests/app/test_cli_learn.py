@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from app.__main__ import main
-from app.editor.file_actions import load_document
+from app.editor.files.actions import load_document
 from solver import Deformer, Mesh, learn_softness, load_mesh
 from solver.geometry.motions import motion, moved, rotation
 from tests.app.command import FIXED, HANDLE, run, session, write_bar

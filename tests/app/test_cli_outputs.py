@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from app.__main__ import main
-from app.editor.file_actions import load_document
-from app.model.session_writing import write_session
+from app.editor.files.actions import load_document
+from app.model.session.writing import write_session
 from solver import Mesh, load_mesh
 from tests.app.command import session, write_bar
 

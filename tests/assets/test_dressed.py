@@ -12,7 +12,7 @@ import pytest
 from scipy.spatial import cKDTree
 
 from app.model.handles import FIXED
-from app.model.session import read_session, to_document
+from app.model.session.reading import read_session, to_document
 from assets.generator import elbow, figure
 from assets.generator.character.clothes import SHELLS
 from assets.generator.character.details import details

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from app.model.document import Document
-from app.model.session_writing import write_session
+from app.model.session.writing import write_session
 from solver import Material, Mesh, load_mesh
 from solver.mesh.formats.table import FORMATS
 from tests.solver import shapes

@@ -12,8 +12,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from app.editor import commands as c
-from app.model.session import read_session, to_document
-from app.model.session_writing import write_session
+from app.model.session.reading import read_session, to_document
+from app.model.session.writing import write_session
 from solver import Deformer, Material, Mesh, load_mesh
 from solver.geometry.motions import motion, moved, rotation
 from solver.types import FloatArray

@@ -21,8 +21,8 @@ from typing import Any
 import numpy as np
 import psutil
 
-from app.model.session import read_session, to_document
-from app.model.session_writing import write_session
+from app.model.session.reading import read_session, to_document
+from app.model.session.writing import write_session
 from solver import Mesh, SolverError, load_mesh
 from solver.mesh.formats.table import FORMATS
 from solver.mesh.sizes import check_sizes

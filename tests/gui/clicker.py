@@ -12,7 +12,7 @@ from pathlib import Path
 from random import Random
 
 from app.model.document import Document
-from app.model.session import read_session, to_document
+from app.model.session.reading import read_session, to_document
 from solver import load_mesh
 from tests.app.person import slab
 

@@ -16,8 +16,8 @@ from app.editor.actions.settings import SETTING_ACTIONS
 from app.editor.actions.softness import SOFTNESS_ACTIONS
 from app.editor.actions.symmetry import SYMMETRY_ACTIONS
 from app.editor.actions.view import VIEW_ACTIONS
-from app.editor.file_actions import FILE_ACTIONS
-from app.editor.pose_export import POSE_EXPORT_ACTIONS
+from app.editor.files.actions import FILE_ACTIONS
+from app.editor.files.pose_export import POSE_EXPORT_ACTIONS
 
 ACTIONS: Actions = {
     **CHOICE_ACTIONS,

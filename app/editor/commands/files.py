@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import ClassVar
 
 from app.editor.commands.command import Command
-from app.model.session_mesh import Carry
+from app.model.session.mesh import Carry
 
 
 @dataclass(frozen=True)

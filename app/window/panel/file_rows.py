@@ -8,9 +8,9 @@ import polyscope.imgui as psim
 
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.editor.file_actions import open_command
-from app.editor.file_paths import default_export_path, default_session_path
-from app.model.session_files import session_name
+from app.editor.files.actions import open_command
+from app.editor.files.paths import default_export_path, default_session_path
+from app.model.session.files import session_name
 from app.telling import readable
 from app.window.file_dialogs import POSED, FileDialogs
 from app.window.panel.widgets import (

@@ -14,10 +14,10 @@ from app.model.preferences import PreferencesFile
 from app.scene.looks import FILE, FLAT, SHADINGS, SMOOTH
 from app.viewpoint.viewpoint import SIDES, UPS
 from app.window.file_dialogs import FileDialogs
-from app.window.film import TakeFilm, default_film_path
+from app.window.films.film import TakeFilm, default_film_path
+from app.window.films.studio import Studio
 from app.window.panel.widgets import CHOSEN_COLOR, halves, shares, short_path, typed_path
 from app.window.shortcuts import SetInterface, WindowAction
-from app.window.studio import Studio
 
 SWITCHES = (
     ("edges", "edges", "Draw the edges of the polygons"),

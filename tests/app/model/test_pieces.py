@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from app.model.document import Document
-from app.model.json_pieces import COUNT, json_pieces
-from app.model.session import read_session
-from app.model.session_writing import session_pieces
+from app.model.session.pieces import COUNT, json_pieces
+from app.model.session.reading import read_session
+from app.model.session.writing import session_pieces
 from tests.app.person import slab
 
 LONG = np.random.default_rng(0).normal(size=(2 * COUNT + 3, 3))

@@ -12,8 +12,8 @@ import pytest
 from app.model.document import Document
 from app.model.handles import Pose
 from app.model.rest import affine_fit, composed, flattens, seen_from
-from app.model.session import read_session, to_document
-from app.model.session_writing import write_session
+from app.model.session.reading import read_session, to_document
+from app.model.session.writing import write_session
 from solver.geometry.motions import motion, moved, rotation
 from tests.app.model.test_session import refusal, write
 from tests.app.person import slab

@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.model.carrying import by_nearest
 from app.model.document import Document
 from app.model.handles import FIXED
 from app.model.schema import SessionError
-from app.model.session import read_session, to_document
-from app.model.session_mesh import farthest, mesh_change, read_places
-from app.model.session_writing import write_session
+from app.model.session.carrying import by_nearest
+from app.model.session.mesh import farthest, mesh_change, read_places
+from app.model.session.reading import read_session, to_document
+from app.model.session.writing import write_session
 from solver import Material, Mesh
 from solver.geometry.motions import motion, rotation
 from solver.types import FloatArray, IntArray

@@ -9,8 +9,8 @@ import pytest
 
 from app.model.document import Document
 from app.model.schema import SessionError
-from app.model.session import read_session, to_document
-from app.model.session_writing import write_session
+from app.model.session.reading import read_session, to_document
+from app.model.session.writing import write_session
 from tests.app.person import slab
 
 

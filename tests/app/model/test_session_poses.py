@@ -13,8 +13,8 @@ import pytest
 from app.model.document import Document
 from app.model.handles import Pose
 from app.model.poses import REST
-from app.model.session import read_session, to_document
-from app.model.session_writing import write_session
+from app.model.session.reading import read_session, to_document
+from app.model.session.writing import write_session
 from tests.app.model.test_session import HANDLE, IDENTITY, refusal, write
 from tests.app.person import slab, state
 

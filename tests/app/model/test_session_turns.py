@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.model.session import read_session, to_document
+from app.model.session.reading import read_session, to_document
 from solver.geometry.motions import motion, rotation
 from tests.app.model.test_session import HANDLE, IDENTITY, refusal, write
 from tests.app.person import slab

@@ -9,7 +9,7 @@ import pytest
 
 from app.editor import commands as c
 from app.model.handles import FIXED, FREE, GRAB
-from app.model.session import read_session, to_document
+from app.model.session.reading import read_session, to_document
 from tests.app.person import Person, state
 
 

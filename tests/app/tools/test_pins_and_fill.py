@@ -9,8 +9,8 @@ import pytest
 
 from app.editor import commands as c
 from app.model.handles import FIXED
-from app.model.session import read_session, to_document
-from app.model.session_writing import write_session
+from app.model.session.reading import read_session, to_document
+from app.model.session.writing import write_session
 from solver import Mesh
 from solver.geometry.laplacian import cotangent_laplacian
 from tests.app.person import Person, sheet, state

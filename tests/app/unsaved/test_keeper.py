@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from app.editor import commands as c
-from app.model.session import read_session
+from app.model.session.reading import read_session
 from app.unsaved import file as unsaved_file
 from app.unsaved.keeper import MANY, Keeper
 from app.unsaved.places import PLACE, kept_work

@@ -12,7 +12,7 @@ import pytest
 
 from app.model.document import Document
 from app.model.schema import SessionError
-from app.model.unsaved import holds
+from app.model.session.unsaved import holds
 from app.unsaved import places
 from app.unsaved.lock import Lock
 from app.unsaved.places import PLACE, clean_up, kept_work, lock_path, new_file, read_unsaved

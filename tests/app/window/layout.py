@@ -88,15 +88,15 @@ def main(width: int, height: int, scale: float, tool: str, mesh: Path) -> None:
     from app.dialogs.programs import tk
     from app.editor import commands as c
     from app.editor.editor import Editor
-    from app.editor.file_actions import load_document
+    from app.editor.files.actions import load_document
     from app.model.preferences import PreferencesFile
+    from app.window.drawing.view import View
     from app.window.file_dialogs import FileDialogs
+    from app.window.films.studio import Studio
     from app.window.opening import FONT_SIZE, open_window
     from app.window.panel import Panel
     from app.window.panel.file_rows import FileRows
     from app.window.panel.looking import LookingRows
-    from app.window.studio import Studio
-    from app.window.view import View
     from tests.app.person import IdleWorker
 
     open_window(scale, (width, height))

@@ -13,9 +13,9 @@ from app.dialogs.dialogs import Dialogs
 from app.dialogs.programs import tk
 from app.dialogs.question import Answer, Question
 from app.editor import commands as c
-from app.editor.file_actions import load_document
+from app.editor.files.actions import load_document
 from app.window.file_dialogs import FileDialogs
-from app.window.film import TakeFilm
+from app.window.films.film import TakeFilm
 from solver.mesh.formats.table import FORMATS
 from tests.app.person import Person, slab
 

@@ -10,8 +10,8 @@ from typing import Any, ClassVar
 import numpy as np
 import pytest
 
-from app.window.film import WAITING, Film, default_film_path, save_picture
-from app.window.film_files import FILMS, GifFile, Mp4File, Picture, PictureError
+from app.window.films.files import FILMS, GifFile, Mp4File, Picture, PictureError
+from app.window.films.film import WAITING, Film, default_film_path, save_picture
 
 Image = pytest.importorskip("PIL.Image")
 av = pytest.importorskip("av")
@@ -251,8 +251,8 @@ def test_without_a_library_it_says_what_to_do(
 ) -> None:
     mesh = tmp_path / "m.obj"
     assert default_film_path(mesh, "film") == tmp_path / "m-film.mp4"
-    monkeypatch.setattr("app.window.film_files.find_spec", lambda name: None)
-    monkeypatch.setattr("app.window.film.find_spec", lambda name: None)
+    monkeypatch.setattr("app.window.films.files.find_spec", lambda name: None)
+    monkeypatch.setattr("app.window.films.film.find_spec", lambda name: None)
     assert default_film_path(mesh, "film") == tmp_path / "m-film.gif"
     with pytest.raises(PictureError, match="pictures need pillow: pip install pillow"):
         save_picture(shade(0), tmp_path / "a.png")

@@ -14,8 +14,8 @@ from app.editor import commands as c
 from app.unsaved.keeper import Keeper
 from app.unsaved.places import PLACE
 from app.window.file_dialogs import FileDialogs
-from app.window.leaving import Leaving
 from app.window.shortcuts import WindowAction
+from app.window.unsaved.leaving import Leaving
 from app.workspace.tasks import Steps
 from tests.app.person import Person, question_of, slab
 

@@ -11,7 +11,7 @@ import pytest
 from app.editor import commands as c
 from app.unsaved.keeper import Keeper
 from app.unsaved.places import PLACE, kept_work
-from app.window.offers import Offers
+from app.window.unsaved.offers import Offers
 from tests.app.person import Person, slab
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from app.bundled import DEFAULT_SESSION
 from app.editor import commands as c
 from app.editor.editor import Editor
-from app.editor.file_actions import load_document
+from app.editor.files.actions import load_document
 from app.editor.softness_warnings import STEEP, WEAK
 from app.model.handles import FIXED
 from solver import Material

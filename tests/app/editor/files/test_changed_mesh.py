@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from app.editor import commands as c
-from app.editor.file_actions import load_document
+from app.editor.files.actions import load_document
 from app.editor.start import open_editor
 from app.model.document import Document
 from app.model.handles import FIXED

@@ -10,7 +10,7 @@ import pytest
 
 from app.bundled import DEFAULT_SESSION
 from app.editor import commands as c
-from app.editor.file_actions import load_document
+from app.editor.files.actions import load_document
 from app.editor.start import open_editor
 from solver.errors import FileError
 from tests.app.inline import InlineWorker

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from app.editor import commands as c
-from app.editor.pose_export import SOLVING
+from app.editor.files.pose_export import SOLVING
 from app.model.handles import Pose
 from app.model.poses import blended_pose
 from app.worker.service import bind

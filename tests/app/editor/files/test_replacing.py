@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from app.editor import commands as c
-from app.editor.file_actions import load_document
-from app.model.session_files import session_name
+from app.editor.files.actions import load_document
+from app.model.session.files import session_name
 from solver import load_mesh
 from tests.app.person import Person, error_of, question_of, state
 

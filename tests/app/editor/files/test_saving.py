@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from app.editor import commands as c
-from app.editor.file_actions import load_document, open_command
+from app.editor.files.actions import load_document, open_command
 from app.worker.service import bind
 from app.worker.snapshot import bind_request
 from solver import load_mesh

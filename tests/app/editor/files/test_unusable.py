@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from app.editor import commands as c
-from app.model.session_files import session_name
+from app.model.session.files import session_name
 from solver import Mesh
 from tests.app.person import Person, error_of
 

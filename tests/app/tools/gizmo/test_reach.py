@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from app.editor import commands as c
-from app.model.session import read_session, to_document
+from app.model.session.reading import read_session, to_document
 from tests.app.person import Person, error_of, state
 from tests.app.tools.gizmo.hand import BESIDE, type_in
 

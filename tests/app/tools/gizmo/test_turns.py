@@ -10,7 +10,7 @@ import pytest
 from app.editor import commands as c
 from app.model.handles import FIXED
 from app.model.poses import REST
-from app.model.session import read_session, to_document
+from app.model.session.reading import read_session, to_document
 from solver.types import FloatArray
 from tests.app.person import Person, state
 from tests.app.tools.gizmo.hand import at, check_one_entry, type_in

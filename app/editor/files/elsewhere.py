@@ -10,8 +10,8 @@ from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
 
+from app.editor.files.replacing import Saving
 from app.editor.question import CANCEL, Answer, Asks, Question
-from app.editor.replacing import Saving
 from app.model.free_path import free_path
 from solver.errors import FileError
 

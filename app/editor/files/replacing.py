@@ -10,7 +10,7 @@ from pathlib import Path
 
 from app.editor import commands as c
 from app.editor.question import CANCEL, Answer, Asks, Question
-from app.model.session_files import is_session
+from app.model.session.files import is_session
 from app.workspace.workspace import Workspace
 
 Saving = c.SaveSession | c.Export | c.ExportPoses

@@ -11,11 +11,9 @@ from app.editor.editor import Editor
 from app.telling import tell
 from app.viewpoint.camera import Camera
 from app.viewpoint.moves import orbited
-from app.window.film import Film, TakeFilm, beside, save_picture
-from app.window.film_files import Picture, PictureError, check_library
-from app.window.panel.widgets import WIDTH
-from app.window.scaling import scaled
-from app.window.view import View
+from app.window.drawing.view import View
+from app.window.films.files import Picture, PictureError, check_library
+from app.window.films.film import Film, TakeFilm, beside, save_picture
 from solver.geometry.bounding_box import middle
 from solver.types import FloatArray
 
@@ -139,5 +137,6 @@ class Studio:
     def _picture(self) -> Picture:
         """The scene beside the panel."""
         pixels = self._view.pixels()
-        covered = scaled(WIDTH) / self._editor.viewpoint.camera.size[0]
+        viewpoint = self._editor.viewpoint
+        covered = viewpoint.inset / viewpoint.camera.size[0]
         return pixels[:, round(covered * pixels.shape[1]) :]

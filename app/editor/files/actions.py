@@ -6,10 +6,9 @@ from pathlib import Path
 
 from app.editor import commands as c
 from app.editor.action import Actions
-from app.editor.elsewhere import or_elsewhere
-from app.editor.file_paths import default_export_path, default_session_path, recent
-from app.editor.mesh_saving import MeshSaving
-from app.editor.opening import (
+from app.editor.files.elsewhere import or_elsewhere
+from app.editor.files.mesh_saving import MeshSaving
+from app.editor.files.opening import (
     Beside,
     carried_over,
     sessions_beside,
@@ -17,16 +16,17 @@ from app.editor.opening import (
     to_continue,
     unusable,
 )
+from app.editor.files.paths import default_export_path, default_session_path, recent
+from app.editor.files.replacing import ask_before, check_session_file, whole
 from app.editor.question import Asks
-from app.editor.replacing import ask_before, check_session_file, whole
 from app.editor.solved import settled, solved
-from app.model.carrying import MeshChanged, on_mesh
 from app.model.document import Document
 from app.model.handles import Pose
-from app.model.session import read_session
-from app.model.session_files import SUFFIX
-from app.model.session_mesh import Carry
-from app.model.session_writing import write_session
+from app.model.session.carrying import MeshChanged, on_mesh
+from app.model.session.files import SUFFIX
+from app.model.session.mesh import Carry
+from app.model.session.reading import read_session
+from app.model.session.writing import write_session
 from app.model.settings import affordable_level
 from app.unsaved.places import read_unsaved
 from app.worker.errand import Snapshot

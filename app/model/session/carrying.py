@@ -10,8 +10,8 @@ from scipy.spatial import cKDTree
 from app.model.document import Document
 from app.model.handles import FREE
 from app.model.schema import SessionError
-from app.model.session import Session, to_document
-from app.model.session_mesh import Carry, Change, mesh_change, read_places
+from app.model.session.mesh import Carry, Change, mesh_change, read_places
+from app.model.session.reading import Session, to_document
 from app.model.settings import SETTINGS
 from solver.mesh.mesh import Mesh
 from solver.types import FloatArray, IntArray

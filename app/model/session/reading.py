@@ -1,7 +1,7 @@
 """Session files: everything a person decided about a mesh, as JSON.
 
 Reading is strict: what is unknown or of the wrong type is refused by name. What a session is to
-hold is a line in SESSION, one in `to_document` and one in session_writing.py.
+hold is a line in SESSION, one in `to_document` and one in writing.py.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from app.model.document import Document
 from app.model.handles import FIXED, FREE, NO_TURN
 from app.model.reach import Reach
 from app.model.schema import SessionError
-from app.model.session_mesh import MESH, PLACES
-from app.model.session_poses import POSES, kept_poses, turned
-from app.model.session_writing import FORMAT, VERSION
+from app.model.session.mesh import MESH, PLACES
+from app.model.session.poses import POSES, kept_poses, turned
+from app.model.session.unsaved import UNSAVED
+from app.model.session.writing import FORMAT, VERSION
 from app.model.settings import SETTINGS
-from app.model.unsaved import UNSAVED
 from solver.errors import SolverError
 from solver.mesh.mesh import Mesh
 from solver.mesh.sizes import check_sizes

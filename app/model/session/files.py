@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from app.model.session_writing import FORMAT
+from app.model.session.writing import FORMAT
 from solver.storage import read_bytes
 
 BEGINNING = 64  # bytes, enough for a byte order mark and spaces

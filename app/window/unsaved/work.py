@@ -12,8 +12,8 @@ from app.telling import tell
 from app.unsaved.keeper import Keeper
 from app.unsaved.places import clean_up
 from app.window.file_dialogs import FileDialogs
-from app.window.leaving import LEAVING, Leaving
-from app.window.offers import OFFERS, Offers
+from app.window.unsaved.leaving import LEAVING, Leaving
+from app.window.unsaved.offers import OFFERS, Offers
 from solver.errors import SolverError
 from solver.storage import remove_orphans
 

@@ -1,4 +1,4 @@
-"""Writing session files: what a document says under each key, see app/model/session.py."""
+"""Writing session files: what a document says under each key, see app/model/session/reading.py."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from typing import Any
 
 from app.model.document import Document
 from app.model.handles import Handle
-from app.model.json_pieces import json_pieces
-from app.model.session_mesh import written_mesh, written_places
-from app.model.session_poses import handle_names, written_poses, written_turn
+from app.model.session.mesh import written_mesh, written_places
+from app.model.session.pieces import json_pieces
+from app.model.session.poses import handle_names, written_poses, written_turn
 from app.model.settings import SETTINGS
 from solver.softness.material import Material
 from solver.storage import write_atomically

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from app.scene.scene import Dots, Lines, Scene
 from app.viewpoint.camera import FIELD_OF_VIEW, Camera
-from app.window.surface import COLORS, Shape, Surface
+from app.window.drawing.surface import COLORS, Shape, Surface
 
 DOTS, LINES, GHOST = "dots", "lines", "ghost"
 DOT_COLOR = (0.96, 0.96, 0.98)

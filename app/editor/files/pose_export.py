@@ -8,8 +8,8 @@ from pathlib import Path
 
 from app.editor import commands as c
 from app.editor.action import Actions, check_between
-from app.editor.file_paths import default_export_path
-from app.editor.mesh_saving import MeshSaving
+from app.editor.files.mesh_saving import MeshSaving
+from app.editor.files.paths import default_export_path
 from app.editor.solved import settled, solved
 from app.model.document import Document
 from app.model.handles import Pose

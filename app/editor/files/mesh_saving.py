@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.editor import commands as c
-from app.editor.elsewhere import or_elsewhere
-from app.editor.file_paths import recent
-from app.editor.replacing import before_mesh, whole
+from app.editor.files.elsewhere import or_elsewhere
+from app.editor.files.paths import recent
+from app.editor.files.replacing import before_mesh, whole
 from app.telling import counted
 from app.workspace.own_files import OwnFiles
 from app.workspace.tasks import Steps, in_background

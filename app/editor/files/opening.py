@@ -10,13 +10,13 @@ from pathlib import Path
 
 from app.bundled import writable
 from app.editor import commands as c
+from app.editor.files.replacing import whole
 from app.editor.question import CANCEL, Answer, Question
-from app.editor.replacing import whole
-from app.model.carrying import MeshChanged
 from app.model.document import Document
-from app.model.session import Session, read_session
-from app.model.session_files import SUFFIX, is_session
-from app.model.session_mesh import Change, farthest
+from app.model.session.carrying import MeshChanged
+from app.model.session.files import SUFFIX, is_session
+from app.model.session.mesh import Change, farthest
+from app.model.session.reading import Session, read_session
 from app.telling import counted
 from solver.errors import SolverError
 

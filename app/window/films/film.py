@@ -17,9 +17,9 @@ import numpy as np
 
 from app.bundled import writable
 from app.editor.commands import Command
-from app.editor.replacing import whole
+from app.editor.files.replacing import whole
 from app.model.free_path import free_path
-from app.window.film_files import FILMS, FilmFile, Picture, PictureError, check_library
+from app.window.films.files import FILMS, FilmFile, Picture, PictureError, check_library
 from solver.errors import SolverError
 from solver.storage import write_atomically
 

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from app.bundled import is_bundled, writable
-from app.model.session_files import SUFFIX
+from app.model.session.files import SUFFIX
 from app.workspace.workspace import Workspace
 from solver.errors import SolverError
 

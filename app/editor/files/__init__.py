@@ -1,0 +1,1 @@
+"""Reading and writing files: what is asked first, where they go."""

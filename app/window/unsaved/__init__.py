@@ -1,0 +1,1 @@
+"""Unsaved work at both ends of a window."""
