@@ -16,6 +16,7 @@ import numpy as np
 from solver.geometry.cross_products import triangle_areas, vertex_areas
 from solver.geometry.frames import triangle_frames
 from solver.geometry.laplacian import cotangent_laplacian
+from solver.geometry.motions import moved
 from solver.geometry.procrustes import rigid_motion
 from solver.geometry.rotations import nearest_rotations
 from solver.learning.material_slope import MaterialSlope
@@ -123,6 +124,6 @@ class Objective:
         for number in range(FIXED, 1 + len(self._constraints.handles)):
             own = group[:count] == number
             T = np.eye(4) if number == FIXED else rigid_motion(points[own], X[own])
-            X[own] = points[own] @ T[:3, :3].T + T[:3, 3]
+            X[own] = moved(T, points[own])
             R[of_faces == number] = T[:3, :3].T
         return RigidPose(X, R)
